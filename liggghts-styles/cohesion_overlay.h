@@ -14,7 +14,7 @@
 #include "contact_range.h"
 #include "encounter.h"
 #include "error.h"
-#include "event_contacts.h"
+#include "exact_contacts.h"
 #include "fix_contact_advice.h"
 #include "fix_sampled_energy_tally.h"
 #include "fix_wall_gran.h"
@@ -76,7 +76,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     normal_->registerSettings(settings);
   }
   void postSettings(IContactHistorySetup* owner, ContactModelBase*) override {
-    if (is_exact_) events_ = std::make_unique<Cohesion::EventContacts>(lmp, owner, wall_, name());
+    if (is_exact_) events_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
     advice_->set_exact(is_exact_);
   }
 
@@ -185,7 +185,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
         [](const auto& spring, const auto& adhesion, double distance, double step) {
           using Law = typename Attraction::Solver;
-          return std::unique_ptr<Cohesion::EventContacts::ContactSolver>(
+          return std::unique_ptr<Cohesion::ExactContacts::ContactSolver>(
               new Law(spring, adhesion, distance, step));
         },
         attraction_.range(), registry.max_type());
@@ -268,7 +268,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   Attraction attraction_;
   bool is_exact_ = false;
   bool slides_ = false;                              // over a spring
-  std::unique_ptr<Cohesion::EventContacts> events_;  // null: scheme sampled
+  std::unique_ptr<Cohesion::ExactContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::SampledEnergyTally> tally_;  // null: none is kept

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "atom.h"
+#include "contact_solver/turning.h"
 #include "error.h"
-#include "event_stepping/turning.h"
 #include "fix.h"
 #include "global_properties.h"
 #include "hamaker/range_of_validity.h"
@@ -168,7 +168,7 @@ void HamakerAttraction::require_turns_as_touching() const {
     for (int j = i; j < static_cast<int>(radii.size()); j++) {
       if (!std::isfinite(radii[i]) || !std::isfinite(radii[j])) continue;
       try {
-        cohesion::event_stepping::require_turns_as_touching(adhesion(i, j, radii[i], radii[j]),
+        cohesion::contact_solver::require_turns_as_touching(adhesion(i, j, radii[i], radii[j]),
                                                             radii[i] + radii[j]);
       } catch (const cohesion::InvalidParameter& bad) {
         lmp_->error->all(FLERR, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ", i,

@@ -43,7 +43,7 @@ class HamakerAttraction : public AttractionEnergy {
   /// the types and the values given.
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
-  /// Stops the engine where scheme exact would turn pairs wrongly (event_stepping/turning.h).
+  /// Stops the engine where scheme exact would turn pairs wrongly (contact_solver/turning.h).
   void require_turns_as_touching() const;
 
   ContactRange range() const;

@@ -7,11 +7,11 @@
 
 #include "atom.h"
 #include "contact_models.h"
-#include "event_stepping/sampled_bridge.h"
 #include "fix_mesh_surface.h"
 #include "global_properties.h"
 #include "mesh_contact.h"
 #include "property_registry.h"
+#include "sampled_contact/sampled_bridge.h"
 #include "update.h"
 
 namespace LIGGGHTS {
@@ -82,7 +82,7 @@ ContactRange LiquidBridgeAttraction::range() const {
 double LiquidBridgeAttraction::force(const Encounter& e) {
   const auto& d = e.data;
   const cohesion::liquid_bridge::Parameters& law = laws_.of(d.itype, d.jtype);
-  const bool bridged = law.force > 0.0 && cohesion::event_stepping::sampled_bridge(
+  const bool bridged = law.force > 0.0 && cohesion::sampled_contact::sampled_bridge(
                                               law.rupture_gap, e.gap, was_bridged(e));
   if (d.computeflag) {
     double* const history = d.contact_history + offset_;

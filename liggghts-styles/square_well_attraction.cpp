@@ -6,7 +6,6 @@
 #include "atom.h"
 #include "contact_memory.h"
 #include "contact_models.h"
-#include "event_stepping/sampled_well.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -15,6 +14,7 @@
 #include "mesh_contact.h"
 #include "pair_gran.h"
 #include "property_registry.h"
+#include "sampled_contact/sampled_well.h"
 #include "square_well_attraction.h"
 #include "vector3.h"
 
@@ -105,7 +105,7 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
   if (d.shearupdate) {
     const double b = inverse_mass(d.i) + (d.is_wall ? 0.0 : inverse_mass(d.j));
     history[IMPULSE] = well.depth > 0.0 && b > 0.0
-                           ? cohesion::event_stepping::sampled_edge_impulse(
+                           ? cohesion::sampled_contact::sampled_edge_impulse(
                                  well.depth, width, b, e.gap, approach(e), within)
                            : 0.0;
   }

@@ -28,9 +28,9 @@ namespace Cohesion {
 
 struct LateWarning;
 
-/// Of the cohesion model square_well: event_stepping/sampled_well.h, the impulse at the edge spread
-/// over the step. What it remembers of each contact goes with the engine's contact history through
-/// exchange and restart.
+/// Of the cohesion model square_well: sampled_contact/sampled_well.h, the impulse at the edge
+/// spread over the step. What it remembers of each contact goes with the engine's contact history
+/// through exchange and restart.
 class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";

@@ -27,7 +27,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 namespace hamaker = cohesion::hamaker;
-using cohesion::event_stepping::Wall;
+using cohesion::contact_solver::Wall;
 
 static const char* const usage =
     "fix wall/hamaker takes 'hamaker A cutoff H_cut H_out' and at least one plane, 'xplane lo hi', "

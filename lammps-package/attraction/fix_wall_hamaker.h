@@ -12,7 +12,7 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #include <vector>
 
 #include "contact_advice.h"
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 #include "fix.h"
 #include "hamaker/forms.h"
 #include "wall_history.h"
@@ -62,7 +62,7 @@ class FixWallHamaker : public Fix {
   cohesion::hamaker::Parameters given;
   const cohesion::hamaker::Form* form;
   cohesion::hamaker::AnyLaw law;
-  std::vector<cohesion::event_stepping::Wall> planes;
+  std::vector<cohesion::contact_solver::Wall> planes;
   WallHistory history;  // of each particle and plane its flag alone
   ContactWatch watch;
   bool gives_advice;  // for all fixes of this style

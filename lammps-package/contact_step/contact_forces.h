@@ -4,8 +4,8 @@
 
 #include "atom.h"
 #include "contact_solver/contact_history.h"
-#include "event_stepping/pair_motion.h"
-#include "fix_event_step.h"
+#include "contact_solver/pair_motion.h"
+#include "fix_contact_step.h"
 
 // How contacts of pairs and of walls are computed, and how what they do reaches the particles.
 //
@@ -25,12 +25,12 @@ using HistorySize = ContactHistory::Size;
 template <class Contact, int SIZE>
 class ContactForces {
  public:
-  using Action = cohesion::event_stepping::Action;
-  using ContactEnergies = cohesion::event_stepping::ContactEnergies;
-  using FrictionalStep = cohesion::event_stepping::FrictionalStep;
-  using PairMotion = cohesion::event_stepping::PairMotion;
+  using Action = cohesion::contact_solver::Action;
+  using ContactEnergies = cohesion::contact_solver::ContactEnergies;
+  using FrictionalStep = cohesion::contact_solver::FrictionalStep;
+  using PairMotion = cohesion::contact_solver::PairMotion;
 
-  ContactForces(Atom* atom, FixEventStep* step)
+  ContactForces(Atom* atom, FixContactStep* step)
       : step_(step),
         forces_(atom->f[0]),
         torques_(atom->torque[0]),
@@ -114,7 +114,7 @@ class ContactForces {
     }
   }
 
-  FixEventStep* step_;
+  FixContactStep* step_;
   double* forces_;
   double* torques_;
   double kick_;

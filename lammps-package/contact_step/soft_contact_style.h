@@ -6,8 +6,8 @@
 
 namespace LAMMPS_NS {
 
-/// The pair styles and walls with soft contacts, of either scheme, as FixEventStep knows them. They
-/// compute their contacts in Pair::compute or Fix::post_force.
+/// The pair styles and walls with soft contacts, of either scheme, as FixContactStep knows them.
+/// They compute their contacts in Pair::compute or Fix::post_force.
 class SoftContactStyle {
  public:
   /// Whether friction turns particles of this type.

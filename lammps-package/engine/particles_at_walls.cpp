@@ -14,7 +14,7 @@
 
 using namespace LAMMPS_NS;
 using cohesion::vector;
-using cohesion::event_stepping::Wall;
+using cohesion::contact_solver::Wall;
 
 namespace {
 

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 #include "lammps.h"
 
 namespace LAMMPS_NS {
 
 /// The walls of a fix as a run begins.
 struct WallsAtStart {
-  const std::vector<cohesion::event_stepping::Wall>& walls;
-  cohesion::event_stepping::WallState state;
+  const std::vector<cohesion::contact_solver::Wall>& walls;
+  cohesion::contact_solver::WallState state;
   int groupbit;
   /// Overlap over diameter above which a particle does not rest on a wall but was put into it.
   double deep;

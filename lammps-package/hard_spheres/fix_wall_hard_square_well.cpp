@@ -55,7 +55,7 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
   require_valid(lmp, where_, contact_, given);
   walls_ = from_words.walls;
   motion_ = from_words.motion;
-  course_ = cohesion::event_stepping::WallCourse(motion_);
+  course_ = cohesion::contact_solver::WallCourse(motion_);
 }
 
 int FixWallHardSquareWell::setmask() { return motion_.still() ? 0 : FixConst::INITIAL_INTEGRATE; }
@@ -69,7 +69,7 @@ void FixWallHardSquareWell::init() {
     error->all(FLERR, where_ + " goes with 'pair_style hard/square_well'; give it first");
   const std::vector<double> largest = largest_radii(lmp);
   for (const auto& wall : walls_) {
-    if (wall.shape != cohesion::event_stepping::Wall::z_cylinder) continue;
+    if (wall.shape != cohesion::contact_solver::Wall::z_cylinder) continue;
     for (int type = 1; type <= atom->ntypes; type++)
       if (ratio(type) * largest[type] >= wall.position)
         error->all(FLERR,

@@ -42,9 +42,9 @@ class FixWallHardSquareWell : public Fix, public HardWalls {
 
   std::string where_;  // in front of messages
   HardContact contact_;
-  std::vector<cohesion::event_stepping::Wall> walls_;
-  cohesion::event_stepping::WallMotion motion_;
-  cohesion::event_stepping::WallCourse course_;
+  std::vector<cohesion::contact_solver::Wall> walls_;
+  cohesion::contact_solver::WallMotion motion_;
+  cohesion::contact_solver::WallCourse course_;
   bool warned_;  // of particles that stand where they should not
 };
 

@@ -12,7 +12,7 @@
 #include "cohesive_contact_from_script.h"
 #include "comm.h"
 #include "contact_solver/contact_solver.h"
-#include "event_stepping/turning.h"
+#include "contact_solver/turning.h"
 #include "pointers.h"
 #include "restart_format.h"
 #include "type_pair_table.h"
@@ -59,7 +59,7 @@ class CohesiveCoefficients : protected Pointers {
                                  cohesion::contact_solver::ContactSolver>) {
       if (scheme_ != Scheme::exact || radius_i == 0.0 || radius_j == 0.0) return;
       LAMMPS_NS::from_script(lmp, where_types(i, j), [&] {
-        cohesion::event_stepping::require_turns_as_touching(
+        cohesion::contact_solver::require_turns_as_touching(
             attraction<cohesion::contact::Adhesion>(of_types(i, j), radius_i, radius_j),
             radius_i + radius_j);
         return true;
@@ -118,7 +118,7 @@ class CohesiveCoefficients : protected Pointers {
     else
       return std::any_of(given_.begin(), given_.end(), &Cohesion::attracts);
   }
-  /// As a pair of src/event_stepping takes it.
+  /// As a pair of src/contact_solver takes it.
   template <class Attraction>
   Attraction attraction(int of_types, double radius_i, double radius_j) const {
     return Cohesion::template of_pair<Attraction>(laws_[of_types], radius_i, radius_j);

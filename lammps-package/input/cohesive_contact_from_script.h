@@ -20,7 +20,7 @@
 
 namespace LAMMPS_NS {
 
-/// How contacts are followed in time; to add one: its pair in src/event_stepping, its row in
+/// How contacts are followed in time; to add one: its pair in src/contact_solver, its row in
 /// `schemes`, its alternative in the styles' AnyContacts.
 enum class Scheme { exact, sampled };
 

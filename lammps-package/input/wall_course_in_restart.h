@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "contact_solver/wall.h"
 #include "error.h"
-#include "event_stepping/wall.h"
 #include "lammps.h"
 
 // What restart files hold of the motion of walls: how far it has come, and where the script had the
@@ -15,17 +15,17 @@
 
 namespace LAMMPS_NS {
 
-using Walls = std::vector<cohesion::event_stepping::Wall>;
+using Walls = std::vector<cohesion::contact_solver::Wall>;
 
 static constexpr int NUMBERS_OF_A_PLACE = 3;
 
 inline int size_of_course(const Walls& walls) {
-  return cohesion::event_stepping::WallCourse::NUMBERS +
+  return cohesion::contact_solver::WallCourse::NUMBERS +
          NUMBERS_OF_A_PLACE * static_cast<int>(walls.size());
 }
 
 inline void append_course(std::vector<double>& values,
-                          const cohesion::event_stepping::WallCourse& course, const Walls& walls) {
+                          const cohesion::contact_solver::WallCourse& course, const Walls& walls) {
   const auto numbers = course.numbers();
   values.insert(values.end(), numbers.begin(), numbers.end());
   for (const auto& wall : walls)
@@ -34,10 +34,10 @@ inline void append_course(std::vector<double>& values,
 
 /// The course of a script's walls when it goes on from what append_course() wrote of as many walls.
 /// Stops LAMMPS, with `where` in front of the message, where these had other places.
-inline cohesion::event_stepping::WallCourse continued_course(
-    LAMMPS* lmp, const std::string& where, cohesion::event_stepping::WallCourse course,
+inline cohesion::contact_solver::WallCourse continued_course(
+    LAMMPS* lmp, const std::string& where, cohesion::contact_solver::WallCourse course,
     const Walls& walls, const double* values) {
-  using cohesion::event_stepping::WallCourse;
+  using cohesion::contact_solver::WallCourse;
   const double* place = values + WallCourse::NUMBERS;
   for (const auto& wall : walls) {
     if (place[0] != static_cast<double>(wall.shape) || place[1] != wall.side ||

@@ -12,7 +12,7 @@
 
 using namespace LAMMPS_NS;
 using cohesion::Vector3;
-using cohesion::event_stepping::Wall;
+using cohesion::contact_solver::Wall;
 
 static constexpr char AXES[] = "xyz";
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 #include "lammps.h"
 
 namespace LAMMPS_NS {
@@ -26,8 +26,8 @@ class WallsFromScript {
   /// Checks the walls and their motion, after the last keyword.
   void finish();
 
-  std::vector<cohesion::event_stepping::Wall> walls;
-  cohesion::event_stepping::WallMotion motion;
+  std::vector<cohesion::contact_solver::Wall> walls;
+  cohesion::contact_solver::WallMotion motion;
 
  private:
   double number(const char* text) const;

@@ -6,11 +6,11 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_solver/pair_motion.h"
 #include "domain.h"
 #include "energy_tally.h"
 #include "error.h"
-#include "event_stepping/pair_motion.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "gravity.h"
 #include "update.h"
 
@@ -19,7 +19,7 @@ using namespace cohesion::energy_tally;
 using cohesion::Vector3;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
-    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)), before() {
+    : Compute(lammps, narg, arg), step(FixContactStep::of(lammps)), before() {
   if (narg != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
   if (igroup != 0)
     error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
@@ -87,14 +87,14 @@ void ComputeGranEnergy::work_out() {
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
     if (body.inverse_mass == 0.0) continue;
-    const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
+    const double inverse_inertia = cohesion::contact_solver::inverse_inertia(body);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
     add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, cohesion::vector(atom->v[i]),
              cohesion::vector(atom->omega[i]), cohesion::vector(&weight[3 * i]),
              cohesion::vector(place));
   }
-  const cohesion::event_stepping::StoredEnergies& contacts = step->energy_tally.sums().stored;
+  const cohesion::contact_solver::StoredEnergies& contacts = step->energy_tally.sums().stored;
   mine[SPRING] += contacts.spring + contacts.load;
   mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
   mine[ADHESION] = contacts.adhesion;

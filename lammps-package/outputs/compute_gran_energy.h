@@ -33,7 +33,7 @@ class ComputeGranEnergy : public Compute, public EnergyTallyCompute {
   void add_sums(double* entries, double factor) const;
   void work_out();
 
-  class FixEventStep* step;
+  class FixContactStep* step;
   std::shared_ptr<const void> reader;              // keeps the tally of contacts active
   double before[cohesion::energy_tally::ENTRIES];  // what that had summed when this was defined
   TallyOfRuns tally;

@@ -6,14 +6,14 @@
 #include "cohesion_laws.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "pair_members.h"
 
 using namespace LAMMPS_NS;
 
 ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
-    : ComputeFluxTotals(lammps, narg, arg, cohesion::event_stepping::FluxParts::parts),
-      step(FixEventStep::of(lammps)) {
+    : ComputeFluxTotals(lammps, narg, arg, cohesion::contact_solver::FluxParts::parts),
+      step(FixContactStep::of(lammps)) {
   reader = step->add_flux_reader();
   before = step->flux;
 }

@@ -11,7 +11,7 @@ ComputeStyle(gran/stress,ComputeGranStress);
 #include <memory>
 
 #include "compute_flux_totals.h"
-#include "event_stepping/flux_parts.h"
+#include "contact_solver/flux_parts.h"
 
 namespace LAMMPS_NS {
 
@@ -27,9 +27,9 @@ class ComputeGranStress : public ComputeFluxTotals {
   const cohesion::MomentumFlux* totals() override;
 
  private:
-  class FixEventStep* step;
+  class FixContactStep* step;
   std::shared_ptr<const void> reader;                 // while there is one the flux is summed
-  cohesion::event_stepping::FluxParts before, since;  // this was defined
+  cohesion::contact_solver::FluxParts before, since;  // this was defined
 };
 
 }  // namespace LAMMPS_NS

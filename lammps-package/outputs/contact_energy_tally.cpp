@@ -6,7 +6,7 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 using cohesion::vector;
 using cohesion::Vector3;
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "event_stepping/pair_motion.h"
+#include "contact_solver/pair_motion.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -19,8 +19,8 @@ class ContactEnergyTally : protected Pointers {
   using Reader = std::shared_ptr<const void>;
   /// All [energy].
   struct Sums {
-    cohesion::event_stepping::StoredEnergies stored{};
-    cohesion::event_stepping::ContactLosses lost{};  ///< so far
+    cohesion::contact_solver::StoredEnergies stored{};
+    cohesion::contact_solver::ContactLosses lost{};  ///< so far
     double external_work = 0.0;  ///< of other forces but gravity, and moving walls; so far
     double friction_work = 0.0;  ///< of friction and rolling friction on the particles; so far
     double exchanged = 0.0;      ///< part of stored.load (ContactEnergies); so far
@@ -39,13 +39,13 @@ class ContactEnergyTally : protected Pointers {
   /// Begins a new time level: losses after the last one are losses before this one.
   void begin_step();
   /// Adds what a contact stores and has exchanged, `fraction` of it.
-  void store(double fraction, const cohesion::event_stepping::ContactEnergies&);
+  void store(double fraction, const cohesion::contact_solver::ContactEnergies&);
   /// Where a run goes on from the forces of the last one, what springs in the plane of contact
   /// store is known: the energies of normal springs and adhesion are set to 0 and added again.
   void reset_normal();
-  void store_normal(double fraction, const cohesion::event_stepping::StoredEnergies&);
+  void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies&);
   /// Adds what a contact loses, `fraction` of it, of which `later` is after the time level.
-  void add_losses(double fraction, const cohesion::event_stepping::ContactLosses&, double later);
+  void add_losses(double fraction, const cohesion::contact_solver::ContactLosses&, double later);
   /// Adds work of other forces, or of friction, in the step around the time level.
   void add_work(double done);
   void add_friction_work(double done);
@@ -59,7 +59,7 @@ class ContactEnergyTally : protected Pointers {
   };
   /// Ends the step of particle i, of which `half` [time] is half: adds the work of its forces. The
   /// engine has v_n and spins of the time level. starts: the first step of a run, half of one.
-  void end_step(int i, const cohesion::event_stepping::Body&, const Forces&, double half,
+  void end_step(int i, const cohesion::contact_solver::Body&, const Forces&, double half,
                 bool starts);
 
   /// What a later run needs to go on.

@@ -13,9 +13,9 @@
 #include "engine_api.h"
 #include "fix_agglomerates.h"
 #include "fix_bubbles.h"
+#include "fix_contact_step.h"
 #include "fix_deform_shear.h"
 #include "fix_drive.h"
-#include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
 #include "fix_stationary.h"
@@ -67,7 +67,7 @@ struct Row {
 };
 
 constexpr Row fixes[] = {
-    {"EVENT_STEP", &make<FixEventStep>},
+    {"CONTACT_STEP", &make<FixContactStep>},
     {"HARD_EVENTS", &make<FixHardEvents>},
     {"agglomerates", &make<FixAgglomerates>},
     {"bubbles", &make<FixBubbles>},

@@ -20,7 +20,7 @@
 #include "walls_from_script.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 using cohesion::Vector3;
 
 template <class Cohesion>
@@ -62,7 +62,7 @@ FixWallGranCohesive<Cohesion>::~FixWallGranCohesive() {
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_constructor() {
-  step = FixEventStep::of(lmp);
+  step = FixContactStep::of(lmp);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -11,11 +11,11 @@
 #include "contact_advice.h"
 #include "contact_forces.h"
 #include "contact_solver/exact_contact.h"
-#include "event_stepping/sampled_contact.h"
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 #include "fix.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "guarded.h"
+#include "sampled_contact/sampled_contact.h"
 #include "update.h"
 #include "wall_forces.h"
 #include "wall_history.h"
@@ -60,18 +60,18 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
 
  private:
   using ExactContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
-  using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
+  using SampledContact = cohesion::sampled_contact::SampledContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.
   using AnyContacts = std::variant<std::vector<ExactContact>, std::vector<SampledContact> >;
-  using Wall = cohesion::event_stepping::Wall;
+  using Wall = cohesion::contact_solver::Wall;
 
   /// A particle that may touch a wall in this step.
   struct Near {
     int i;
     int wall;
     cohesion::Vector3 wall_velocity;
-    cohesion::event_stepping::RelativeWallMotion motion;
+    cohesion::contact_solver::RelativeWallMotion motion;
     double* history;
   };
 
@@ -79,12 +79,12 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   template <class Contact>
   const Contact& contact(std::vector<Contact>&, int i);
   template <class Contact>
-  void find_in_range(std::vector<Contact>&, const cohesion::event_stepping::WallState&);
-  void check_flight(int i, const cohesion::event_stepping::WallPoint&);
-  cohesion::event_stepping::WallState state() const;
-  double wall_travel(const cohesion::event_stepping::WallState&) const;
+  void find_in_range(std::vector<Contact>&, const cohesion::contact_solver::WallState&);
+  void check_flight(int i, const cohesion::contact_solver::WallPoint&);
+  cohesion::contact_solver::WallState state() const;
+  double wall_travel(const cohesion::contact_solver::WallState&) const;
   void update_sizes();
-  void find_beside(const cohesion::event_stepping::WallState&);
+  void find_beside(const cohesion::contact_solver::WallState&);
   template <class What>
   void for_each_near(const What&);
   template <int SIZE, class Contact>
@@ -116,8 +116,8 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished
   typename Cohesion::Law law;
   std::vector<Wall> walls;
-  cohesion::event_stepping::WallMotion motion;
-  cohesion::event_stepping::WallCourse course;
+  cohesion::contact_solver::WallMotion motion;
+  cohesion::contact_solver::WallCourse course;
 
   int per_wall;  // values of history (HistorySize)
   WallHistory history;
@@ -129,7 +129,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   std::vector<int> beside;  // particles that may touch a wall
   long radii_version = -1;  // when these were found
   double travelled;         // by one of them or a wall since then, at most, [length]
-  FixEventStep* step;
+  FixContactStep* step;
 
   WallForces forces;
 };
@@ -138,7 +138,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
 template <class Cohesion>
 template <class Contact>
 inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
-  const cohesion::event_stepping::Body particle = step->body(i), wall{0.0, 0.0};
+  const cohesion::contact_solver::Body particle = step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().is_between(particle, wall))
     shared.push_back(step->contact<Contact>(
         parameters.contact,
@@ -148,7 +148,7 @@ inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact
 }
 
 template <class Cohesion>
-cohesion::event_stepping::WallState FixWallGranCohesive<Cohesion>::state() const {
+cohesion::contact_solver::WallState FixWallGranCohesive<Cohesion>::state() const {
   const double half = 0.5 * update->dt;
   return course.over({step->starts() ? 0.0 : half, half});
 }

@@ -11,7 +11,7 @@
 #include "wall_course_in_restart.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 
 /// Sets whether particles are in range by where they are, of which nothing is known or that a
 /// script has altered.
@@ -67,7 +67,7 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
 
 // Numbers of a restart file: its layout, walls, numbers of history each, the course of the walls,
 // and the force on them, which a run that continues another does not compute again.
-static constexpr int LAYOUT = 2, COURSE = 3;
+static constexpr int LAYOUT = 3, COURSE = 3;
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {

@@ -12,9 +12,9 @@
 #include "cohesion_law.h"
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
-#include "event_stepping/sampled_hamaker.h"
 #include "hamaker/forms.h"
 #include "plausible_sizes.h"
+#include "sampled_contact/sampled_hamaker.h"
 
 namespace LAMMPS_NS {
 
@@ -25,7 +25,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr std::array SETTINGS{"form"};
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 6;
+  static constexpr int RESTART_LAYOUT = 7;
   static constexpr bool BINDS_IN_RANGE = true;
 
   /// What a script says about the contact of two materials.
@@ -36,7 +36,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   };
   using Law = cohesion::hamaker::AnyLaw;
   using Solver = cohesion::contact_solver::ContactSolver;
-  using Sampled = cohesion::event_stepping::SampledHamaker;
+  using Sampled = cohesion::sampled_contact::SampledHamaker;
 
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,

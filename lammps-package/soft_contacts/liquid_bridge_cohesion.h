@@ -4,8 +4,8 @@
 
 #include "cohesion_law.h"
 #include "contact_solver/liquid_bridge_solver.h"
-#include "event_stepping/sampled_bridge.h"
 #include "liquid_bridge/parameters.h"
+#include "sampled_contact/sampled_bridge.h"
 
 namespace LAMMPS_NS {
 
@@ -13,10 +13,10 @@ namespace LAMMPS_NS {
 class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/liquid_bridge";
-  static constexpr int RESTART_LAYOUT = 2;
+  static constexpr int RESTART_LAYOUT = 3;
 
   using Solver = cohesion::contact_solver::LiquidBridgeSolver;
-  using Sampled = cohesion::event_stepping::SampledBridge;
+  using Sampled = cohesion::sampled_contact::SampledBridge;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
     return {{"bridge", 2, [](Parameters& p, const double* v) { p.law = {v[0], v[1]}; }}};

@@ -9,7 +9,7 @@
 #include "cohesion_laws.h"
 #include "engine_api.h"
 #include "error.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "flight_report.h"
 #include "force.h"
 #include "largest_radii.h"
@@ -21,7 +21,7 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 using cohesion::Vector3;
 
 template <class Cohesion>
@@ -42,7 +42,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
   beyond_contact = 1;
-  FixEventStep::reserve(lmp);
+  FixContactStep::reserve(lmp);
 }
 
 template <class Cohesion>
@@ -76,7 +76,7 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
-  step = FixEventStep::of(lmp);
+  step = FixContactStep::of(lmp);
   require_plausible_spheres(lmp, coefficients.where());
   require_whole_special_factors(lmp, this, coefficients.where(), true);
   largest_radius = largest_radii(lmp);

@@ -13,9 +13,9 @@
 #include "contact_advice.h"
 #include "contact_forces.h"
 #include "contact_solver/exact_contact.h"
-#include "event_stepping/sampled_contact.h"
 #include "pair.h"
 #include "pair_history.h"
+#include "sampled_contact/sampled_contact.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -26,11 +26,11 @@ struct StaggeredParticles {
   const int* type;
   Bodies bodies;
 
-  [[gnu::always_inline]] cohesion::event_stepping::RelativeState relative_state(int i,
+  [[gnu::always_inline]] cohesion::contact_solver::RelativeState relative_state(int i,
                                                                                 int j) const {
     return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
   }
-  [[gnu::always_inline]] cohesion::event_stepping::PairMotion motion(int i, int j) const {
+  [[gnu::always_inline]] cohesion::contact_solver::PairMotion motion(int i, int j) const {
     return {relative_state(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
   }
 };
@@ -94,7 +94,7 @@ class PairGranCohesive : public Pair,
   };
   /// One alternative per scheme, in the order of Scheme.
   using ExactContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
-  using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
+  using SampledContact = cohesion::sampled_contact::SampledContact<typename Cohesion::Sampled>;
   using AnyContacts = std::variant<Contacts<ExactContact>, Contacts<SampledContact>>;
 
   void allocate();
@@ -125,8 +125,8 @@ class PairGranCohesive : public Pair,
   void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, int i, int j,
                        int& has_history, double* values);
   template <class Contact>
-  void add_flux(double fraction, const cohesion::event_stepping::PairMotion&, const Contact&,
-                const cohesion::event_stepping::FrictionalStep&);
+  void add_flux(double fraction, const cohesion::contact_solver::PairMotion&, const Contact&,
+                const cohesion::contact_solver::FrictionalStep&);
   void tally(int i, int j, const cohesion::Vector3& separation, double energy,
              const cohesion::Vector3& impulse);
   template <class What>
@@ -147,7 +147,7 @@ class PairGranCohesive : public Pair,
   bool needs_list;                                      // whether any pair is visited in this run
   bool history_stale;  // since nothing has acted, histories are not those of the pairs as they are
   int per_pair;        // values of history (HistorySize); 0: there is none yet
-  class FixEventStep* step;
+  class FixContactStep* step;
   PairHistory history;
   bool warned_of_flight = false;  // in this run
 };
@@ -176,7 +176,7 @@ template <class Contact>
 [[gnu::noinline]] int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts,
                                                               int of_types, int i, int j) {
   if (!moves(i, j)) return Contacts<Contact>::NONE;
-  const cohesion::event_stepping::Body a = step->body(i), b = step->body(j);
+  const cohesion::contact_solver::Body a = step->body(i), b = step->body(j);
   contacts.all.push_back(step->contact<Contact>(
       coefficients.contact(of_types),
       coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),

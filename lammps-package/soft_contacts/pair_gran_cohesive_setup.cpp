@@ -5,12 +5,12 @@
 #include "atom.h"
 #include "cohesion_laws.h"
 #include "distinct_places.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "neigh_list.h"
 #include "pair_gran_cohesive.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 using cohesion::Vector3;
 
 /// Calls what(i, j, has_history, values): whether the pair has a history, and that.

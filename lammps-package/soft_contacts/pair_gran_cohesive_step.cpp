@@ -7,7 +7,7 @@
 #include "cohesion_laws.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "flight_report.h"
 #include "guarded.h"
 #include "largest_radii.h"
@@ -17,7 +17,7 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 using cohesion::Vector3;
 
 template <class Cohesion>

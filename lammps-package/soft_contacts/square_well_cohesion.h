@@ -7,7 +7,7 @@
 
 #include "cohesion_law.h"
 #include "contact_solver/square_well_solver.h"
-#include "event_stepping/sampled_well.h"
+#include "sampled_contact/sampled_well.h"
 #include "square_well/parameters.h"
 #include "words_of_law.h"
 
@@ -17,10 +17,10 @@ namespace LAMMPS_NS {
 class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/square_well";
-  static constexpr int RESTART_LAYOUT = 4;
+  static constexpr int RESTART_LAYOUT = 5;
 
   using Solver = cohesion::contact_solver::SquareWellSolver;
-  using Sampled = cohesion::event_stepping::SampledWell;
+  using Sampled = cohesion::sampled_contact::SampledWell;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
     return {{"well", 2, [](Parameters& p, const double* v) {

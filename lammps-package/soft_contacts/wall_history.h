@@ -3,7 +3,7 @@
 #define COHESION_WALL_HISTORY_H
 
 #include "atom_numbers.h"
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 
 namespace LAMMPS_NS {
 
@@ -13,7 +13,7 @@ class WallHistory : public AtomNumbers {
  public:
   /// Flag of a particle that has not met the wall yet.
   static constexpr double NOT_KNOWN = -1.0;
-  /// Flag of a particle that does not feel the wall (event_stepping/wall.h: is_behind()).
+  /// Flag of a particle that does not feel the wall (contact_solver/wall.h: is_behind()).
   static constexpr double BEHIND = -2.0;
 
   explicit WallHistory(LAMMPS* lammps) : AtomNumbers(lammps) {}
@@ -28,7 +28,7 @@ class WallHistory : public AtomNumbers {
   /// Whether a particle does not feel a wall, which its flag says from here on. distance, clear:
   /// as is_behind() takes them.
   static bool keep_behind(double& flag, double distance, double clear) {
-    if (flag > 0.0 || !cohesion::event_stepping::is_behind(flag == BEHIND, distance, clear))
+    if (flag > 0.0 || !cohesion::contact_solver::is_behind(flag == BEHIND, distance, clear))
       return false;
     flag = BEHIND;
     return true;

@@ -29,7 +29,7 @@ struct SchemeLimits {
 /// Force sampled once per step: 15 to 50 steps per contact are usual; the error is leapfrog's own.
 inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true, 0.0};
 /// Closed-form pair motion, exact for one pair while a step is no longer than a contact
-/// (event_stepping/damped_oscillator.h, first_zero). Of many, a dense elastic gas keeps its energy
+/// (contact_solver/damped_oscillator.h, first_zero). Of many, a dense elastic gas keeps its energy
 /// to 3e-4 in 100 collisions at 4 steps per contact.
 inline constexpr SchemeLimits exact_scheme{"exact", 4.0, 1.0, false, 2.0};
 /// The same in LIGGGHTS, whose contacts do not know how a wall accelerates: at 4 steps per contact

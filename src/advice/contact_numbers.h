@@ -8,7 +8,7 @@
 #include "constants.h"
 #include "contact/adhesive_contact.h"
 #include "contact_solver/closest_packing.h"
-#include "event_stepping/damped_oscillator.h"
+#include "contact_solver/damped_oscillator.h"
 #include "validation.h"
 
 namespace cohesion::advice {
@@ -103,7 +103,7 @@ class ContactNumbers {
       const double dt = 0.5 * (low + high);
       const auto phase = [dt](double stiffness, double damping, double inverse_mass) {
         return contact_solver::squared_phase(
-            event_stepping::spring_on_grid(stiffness, damping, 1.0 / inverse_mass, dt), dt,
+            contact_solver::spring_on_grid(stiffness, damping, 1.0 / inverse_mass, dt), dt,
             inverse_mass);
       };
       const bool steady = packing.is_steady(

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "advice/equal_escape.h"
-#include "event_stepping/sampled_hamaker.h"
-#include "event_stepping/sampled_well.h"
+#include "sampled_contact/sampled_hamaker.h"
+#include "sampled_contact/sampled_well.h"
 
 /// Head-on escape velocities of scheme sampled. Its forces are those on the grid, so that whether a
 /// pair sticks depends on where in the step it meets: each speed has a fraction of positions at
@@ -40,12 +40,12 @@ struct HeadOnStart {
 /// before positions; `step` [time]. Throws InvalidParameter after ten million steps.
 template <class Pair>
 bool parts(const Pair& pair, const HeadOnStart& start, double step) {
-  const event_stepping::StepWindow window{0.5 * step, 0.5 * step};
-  event_stepping::RelativeState grid{{start.separation, 0, 0}, {-start.approach, 0, 0}};
+  const contact_solver::StepWindow window{0.5 * step, 0.5 * step};
+  contact_solver::RelativeState grid{{start.separation, 0, 0}, {-start.approach, 0, 0}};
   bool inside = start.inside, parting = false;
   for (long steps = 0; steps < 10'000'000; steps++) {
     if (inside || pair.within_reach(grid, window)) {
-      const event_stepping::PairStep now = pair.advance(grid, window, inside);
+      const contact_solver::PairStep now = pair.advance(grid, window, inside);
       inside = now.inside;
       grid.velocity += now.velocity_change;
     } else if (parting) {
@@ -125,7 +125,7 @@ inline void require_sampled_step(const contact::LinearSpringDashpot& spring, dou
 /// (equal_escape.h), unless a contact has two steps, and where pairs stick at four times the exact
 /// velocity.
 inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
-                                    const event_stepping::SampledHamaker::Attraction& attraction,
+                                    const sampled_contact::SampledHamaker::Attraction& attraction,
                                     double contact_distance, double step) {
   require_sticking(spring);
   detail::require_sampled_step(spring, step);
@@ -134,7 +134,7 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
                  attraction.law);
   const double exact = contact::AdhesiveContact(spring, adhesion).escape_velocity();
   require_positive("escape velocity", exact);
-  const event_stepping::SampledHamaker pair(spring, attraction, contact_distance, step);
+  const sampled_contact::SampledHamaker pair(spring, attraction, contact_distance, step);
   const double edge = contact_distance + pair.range();
   return detail::sampled_escape(
       [&](double speed, double position) {
@@ -161,8 +161,8 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
           "must exceed the way of a pair in a time step for scheme sampled: a wider well, or a "
           "shorter step");
   // Head-on the width does not matter: the narrowest one spares the flight to the edge.
-  const event_stepping::SampledWell pair(spring, {0.0, way, well.tail_energy}, contact_distance,
-                                         step);
+  const sampled_contact::SampledWell pair(spring, {0.0, way, well.tail_energy}, contact_distance,
+                                          step);
   return detail::sampled_escape(
       [&](double speed, double position) {
         const double entry = contact.entry_speed(speed);

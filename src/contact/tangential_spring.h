@@ -57,7 +57,7 @@ struct Plane {
 /// where sliding ends.
 ///
 /// The same law resists rolling, elastic-plastic, with the effective mass of rolling m_r in place
-/// of m_t (event_stepping/contact_bodies.h).
+/// of m_t (contact_solver/contact_bodies.h).
 ///
 /// Source: P. A. Cundall and O. D. L. Strack, Geotechnique 29 (1979) 47; van der Hoef et al.,
 /// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29. Rolling: S. Luding, Granular Matter 10 (2008) 235;

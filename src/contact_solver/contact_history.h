@@ -7,7 +7,7 @@
 namespace cohesion::contact_solver {
 
 /// What an engine stores of a contact of two spheres, or of a sphere and a wall, from one step to
-/// the next. Sampled contacts (event_stepping/sampled_contact.h) use the phases `outside` and
+/// the next. Sampled contacts (sampled_contact/sampled_contact.h) use the phases `outside` and
 /// `inside` and the springs.
 struct ContactHistory {
   using Spring = DiscreteSpring::State;

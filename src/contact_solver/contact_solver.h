@@ -8,18 +8,13 @@
 #include "contact/adhesion.h"
 #include "contact/linear_spring_dashpot.h"
 #include "contact_solver/contact_state.h"
+#include "contact_solver/damped_oscillator.h"
 #include "contact_solver/energy_account.h"
+#include "contact_solver/first_root.h"
 #include "contact_solver/flight.h"
-#include "event_stepping/damped_oscillator.h"
-#include "event_stepping/first_root.h"
-#include "event_stepping/normal_motion.h"
+#include "contact_solver/normal_motion.h"
 
 namespace cohesion::contact_solver {
-
-using event_stepping::first_root;
-using event_stepping::NormalMotion;
-using event_stepping::NormalRecord;
-using event_stepping::Overlap;
 
 /// Normal motion of one contact with a linear spring-dashpot and an adhesion, one force a step:
 /// positions x_n at the time levels are exact samples of the motion, and staggered velocities are
@@ -137,6 +132,9 @@ class ContactSolver {
     return account_.dissipated(state.last_rate, rate) +
            0.5 * spring_.damping * step_ * rate * (state.last_rate + rate);
   }
+
+  /// Of a contact with friction: EnergyAccount.
+  void leave_out_exchange() { account_.leave_out_exchange(); }
 
   double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
   virtual double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "event_stepping/normal_motion.h"
+#include "contact_solver/normal_motion.h"
 
 namespace cohesion::contact_solver {
 
@@ -114,7 +114,7 @@ struct ContactStep {
   double repulsion = 0.0;  ///< the part of spring and dashpot, [force]
   /// In a resolved step, as far as it is known before the next time level, [energy].
   double dissipated = 0.0;
-  event_stepping::NormalRecord normal{};
+  NormalRecord normal{};
 };
 
 }  // namespace cohesion::contact_solver

@@ -2,14 +2,10 @@
 #pragma once
 
 #include "contact/tangential_spring.h"
-#include "event_stepping/damped_oscillator.h"
-#include "event_stepping/pair_step.h"
+#include "contact_solver/damped_oscillator.h"
+#include "contact_solver/pair_step.h"
 
 namespace cohesion::contact_solver {
-
-using event_stepping::GridEnds;
-using event_stepping::GridSpring;
-using event_stepping::NormalRecord;
 
 /// Spring, dashpot and slider in the plane of contact, for friction or for rolling friction.
 ///
@@ -26,9 +22,8 @@ class DiscreteSpring {
   /// step [time]; inverse_mass [1/mass]: the effective one of the motion that stretches the spring.
   DiscreteSpring(const contact::TangentialParameters& p, double step, double inverse_mass)
       : law_(p),
-        constants_(
-            event_stepping::spring_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
-        ends_(event_stepping::ends_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        constants_(spring_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        ends_(ends_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
         friction_(p.friction),
         step_(step),
         inverse_mass_(inverse_mass) {}

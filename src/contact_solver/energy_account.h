@@ -6,12 +6,9 @@
 #include <limits>
 
 #include "contact_solver/contact_state.h"
-#include "event_stepping/damped_oscillator.h"
+#include "contact_solver/damped_oscillator.h"
 
 namespace cohesion::contact_solver {
-
-using event_stepping::DampedOscillator;
-using event_stepping::GridSpring;
 
 /// The energy account R of a contact: the work of its discrete forces f_n n_n,
 ///
@@ -30,7 +27,8 @@ using event_stepping::GridSpring;
 ///
 /// The other forces that act one step late do work at their time level, exchanged with their
 /// particles there. To second order that is dt^2/8 (f_(n-2) b_(n-1) - f_(n-1) b_(n-2)), b the
-/// external acceleration of the distance.
+/// external acceleration of the distance. Friction has no account: contacts with friction leave
+/// this out, so that all accounts together change the energy by what contacts dissipate.
 ///
 /// Source: derived here; docs/theory/exact_contacts.md, Several contacts of a particle.
 class EnergyAccount {
@@ -44,9 +42,13 @@ class EnergyAccount {
         spring_(spring),
         attraction_(attraction),
         damping_(2.0 * motion.alpha() * reduced_mass),
-        step_(step) {
+        step_(step),
+        exchange_(0.125 * step * step) {
     if (damping_ > 0.0) set_dissipation(motion);
   }
+
+  /// Of a contact with friction.
+  void leave_out_exchange() { exchange_ = 0.0; }
 
   /// R of a pair that is first seen where it stands, with the energy `stored` in its contact.
   static double at_start(double stored) { return -stored; }
@@ -97,7 +99,7 @@ class EnergyAccount {
   /// step; external [length/time^2]: acceleration of the distance by other forces in it.
   [[gnu::always_inline]] double exchanged(double force, double external,
                                           const ContactState& state) const {
-    return 0.125 * step_ * step_ * (force * state.external_before - state.force_before * external);
+    return exchange_ * (force * state.external_before - state.force_before * external);
   }
 
   /// The energy whose decrease is the work of a persistent contact, of turning pairs, too.
@@ -163,6 +165,7 @@ class EnergyAccount {
   double attraction_;
   double damping_;  // of the contact, [mass/time]
   double step_;
+  double exchange_;
   double before_before_ = 0.0, before_after_ = 0.0, after_after_ = 0.0;  // of dissipated()
 };
 

@@ -6,22 +6,13 @@
 #include <type_traits>
 
 #include "contact/contact_parameters.h"
+#include "contact_solver/contact_bodies.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/discrete_spring.h"
 #include "contact_solver/square_well_solver.h"
-#include "event_stepping/contact_bodies.h"
 
 namespace cohesion::contact_solver {
-
-using event_stepping::Action;
-using event_stepping::Body;
-using event_stepping::ContactBodies;
-using event_stepping::ContactEnergies;
-using event_stepping::FrictionalStep;
-using event_stepping::PairMotion;
-using event_stepping::RelativeState;
-using event_stepping::StoredEnergies;
 
 /// A contact of two spheres, or of a sphere and a wall: the normal motion by its solver, and
 /// springs, dashpots and sliders of friction and of rolling friction. In a persistent contact these
@@ -50,7 +41,9 @@ class ExactContact {
                  bodies_.inverse_sliding_mass()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), step,
                  bodies_.inverse_rolling_mass()),
-        pull_(attraction.force) {}
+        pull_(attraction.force) {
+    if (sliding_.is_present() || rolling_.is_present()) solver_.leave_out_exchange();
+  }
 
   bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }

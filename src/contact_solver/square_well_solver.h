@@ -74,7 +74,7 @@ class SquareWellSolver : public ContactSolver {
     }
     in_range = !leave(now);
     if (!in_range) return t;
-    if (event_stepping::bounces_too_fast(-now.radial, now.outward(external), step()))
+    if (bounces_too_fast(-now.radial, now.outward(external), step()))
       return t + rest(now, time - t, external, record);
     return t + whole_bounces(now, time - t, external);
   }

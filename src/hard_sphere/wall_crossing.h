@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 #include "hard_sphere/crossing.h"
 
 namespace cohesion::hard_sphere {
 
-using event_stepping::Wall;
-using event_stepping::WallState;
+using contact_solver::Wall;
+using contact_solver::WallState;
 
 /// A wall in uniform motion.
 struct MovingWall {

@@ -3,7 +3,7 @@
 
 namespace cohesion::square_well {
 
-// A scheme that looks at its pairs once a step (event_stepping/sampled_well.h) and no farther than
+// A scheme that looks at its pairs once a step (sampled_contact/sampled_well.h) and no farther than
 // it must: a pair that has left its well pays D where it is found outside, so it must be seen
 // there. `radii`: the sum of both; beside a wall that of the one sphere.
 

@@ -110,6 +110,11 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                     room[:3] += [math.sqrt(2 * k * whole[key][0]) * turned
                                  for k, key in zip((STIFFNESS, TANGENTIAL, TANGENTIAL), STORED)]
                     room[3] += ADHESION * turned
+                # What contacts have exchanged with other forces before the tally began is not in the springs: of
+                # f for half a step each with b, below w0 v each.
+                offset = stored[0, 1]
+                self.assertLess(abs(offset), (math.pi * DT / CONTACT_TIME)**2 / 8 * kinetic)
+                stored[0] -= offset
                 self.assertTrue((abs(stored[:, 0]) < room).all(), (stored[:, 0], room))
                 self.assertLess(abs(moves[:, 0]).max(), rounding)
                 self.assertGreater(abs(numpy.array([whole[key][0] for key in STORED])).max(), 1e3 * rounding)
@@ -169,8 +174,10 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                 for opened in ("COMPUTE", "COMPUTE\nrun 0"):
                     tally, again = after(f"run {6 * part}\n{opened}\nrun {6 * part}")
                     numpy.testing.assert_array_equal(again, end)
-                    for key in STORED + MOTION:
+                    for key in STORED[1:] + MOTION:
                         self.assertEqual(tally[key], whole[key], (key, opened))
+                    self.assertAlmostEqual(tally[STORED[0]], whole[STORED[0]],
+                                           delta=(math.pi / part)**2 / 8 * whole[STORED[0]])
                 for key in MOTION:
                     self.assertEqual(first[key], last[key])
                 apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_tally[3]"])

@@ -82,7 +82,7 @@ class Many(unittest.TestCase):
         for tangent in ("run 10\ntimestep TWICE\nrun 400\n", "run 16\ntimestep HALF\nrun 8\ntimestep TWICE\nrun 400\n"):
             for factor in (0.9, 1.1):
                 dt = CONTACT_TIME / 16
-                speed = factor * 4.00121e-3  # of tests/src/event_stepping: the closed form
+                speed = factor * 4.00121e-3  # of tests/src/contact_solver: the closed form
                 gap = OUT + 8.3 * speed * dt
                 spheres = [sphere((0, 0, 0), (speed / 2, 0, 0)),
                            sphere((2 * RADIUS + gap, 0, 0), (-speed / 2, 0, 0))]

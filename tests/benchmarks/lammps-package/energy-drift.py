@@ -46,7 +46,7 @@ def row(scheme, division, values, seconds):
             f"{numpy.abs(values).max():9.2e}  {seconds:8.2f}")
 
 
-def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
+def heating(gas, engine, seeds=16, divisions=(4, 5, 10, 20)):
     progress = Progress(2 * seeds * sum(divisions))
     print("\rsolid fraction 0.5: gain per collision")
     for phi, constant, speed in CASES[1::2]:

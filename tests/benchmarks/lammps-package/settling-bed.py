@@ -59,7 +59,7 @@ def main():
         __doc__, ("--side", {"type": int, "default": 13, "help": "spheres per edge of a layer"}),
         ("--layers", {"type": int, "default": 12}),
         ("--seconds", {"type": float, "default": 0.5, "help": "of the scene's time"}),
-        ("--exact", {"type": int, "nargs": "+", "default": [4, 10], "metavar": "N",
+        ("--exact", {"type": int, "nargs": "+", "default": [5, 10], "metavar": "N",
                      "help": "steps per contact time of the exact scheme"}),
         ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}))
 

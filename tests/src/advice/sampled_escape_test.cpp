@@ -12,7 +12,7 @@ namespace {
 constexpr double A = 7.49e-19, cutoff = 4e-10, outer = 1e-7, depth = 5e-11;
 constexpr double thesis_step = 2.25e-5;
 const auto spring = contact::normal_contact(thesis::contact(), thesis::reduced_mass);
-const event_stepping::SampledHamaker::Attraction hamaker_law{
+const sampled_contact::SampledHamaker::Attraction hamaker_law{
     hamaker::Law<hamaker::SmallGap>({A, cutoff, outer}),
     two_spheres(thesis::radius, thesis::radius)};
 

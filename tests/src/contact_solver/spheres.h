@@ -110,6 +110,7 @@ class Spheres {
     spheres = next;
     for (const Contact& c : contacts) {
       normal_lost_ += c.energies.after.normal_damping;
+      lost += c.energies.after.normal_damping;
       damped += c.energies.after.tangential_damping + c.energies.after.rolling;
     }
     last_dt_ = dt_;

@@ -3,7 +3,7 @@
 
 #include "contact/adhesion.h"
 #include "contact/contact_parameters.h"
-#include "event_stepping/pair_motion.h"
+#include "contact_solver/pair_motion.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "sphere.h"
@@ -18,7 +18,7 @@ const double reduced_mass = 0.5 * mass;
 constexpr double range = 4e-10;
 constexpr double contact_time = 9.25280015463e-5;  ///< test of LinearSpringDashpot
 
-inline event_stepping::Body particle() { return {radius, 1.0 / mass}; }
+inline contact_solver::Body particle() { return {radius, 1.0 / mass}; }
 
 /// F_ad = A r/(12 H_cut^2), tail energy F_ad H_cut: the small-gap form without outer cut-off, which
 /// is so far away that all it lacks is rounding.

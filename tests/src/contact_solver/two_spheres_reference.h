@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contact/contact_parameters.h"
-#include "event_stepping/pair_motion.h"
+#include "contact_solver/pair_motion.h"
 
 namespace cohesion::contact_solver {
 
@@ -23,8 +23,7 @@ class TwoSpheresReference {
     Vector3 separation, velocity, spin_i{}, spin_j{}, stretch{};
   };
 
-  TwoSpheresReference(const contact::ContactParameters& p, const event_stepping::Body& i,
-                      const event_stepping::Body& j)
+  TwoSpheresReference(const contact::ContactParameters& p, const Body& i, const Body& j)
       : i_(i),
         j_(j),
         reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
@@ -80,8 +79,7 @@ class TwoSpheresReference {
     const Vector3 turn = cross(n, force);
     const Vector3 turning = (1.0 / distance) * across;  // n'
     return {s.velocity, (1.0 / reduced_mass_) * (repulsion * n + force),
-            (-lever_i * event_stepping::inverse_inertia(i_)) * turn,
-            (-lever_j * event_stepping::inverse_inertia(j_)) * turn,
+            (-lever_i * inverse_inertia(i_)) * turn, (-lever_j * inverse_inertia(j_)) * turn,
             stretching - dot(turning, s.stretch) * n};
   }
   static State sum(const State& a, double factor, const State& b) {
@@ -95,7 +93,7 @@ class TwoSpheresReference {
     return sum(sum(sum(sum(s, dt / 6.0, a), dt / 3.0, b), dt / 3.0, c), dt / 6.0, d);
   }
 
-  event_stepping::Body i_, j_;
+  Body i_, j_;
   double reduced_mass_;
   contact::LinearSpringDashpot normal_;
   contact::TangentialParameters tangential_;

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "constants.h"
-#include "event_stepping/pair_step.h"
+#include "contact_solver/pair_step.h"
 #include "validation.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Where a wall is in the step that `window` describes, and how fast it moves.
 struct WallState {
@@ -230,4 +230,4 @@ class FarFromWalls {
   double square_ = nowhere;  // of the radius
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

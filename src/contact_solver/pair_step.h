@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "event_stepping/normal_motion.h"
+#include "contact_solver/normal_motion.h"
 #include "vector3.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Position and velocity of particle j relative to particle i (of the foot of the normal relative
 /// to the particle's centre, at a wall).
@@ -28,4 +28,4 @@ struct PairStep {
   bool inside = false;  ///< in the range of the adhesion at the end of the step
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/contact_bodies.h"
+#include "contact_solver/contact_bodies.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -68,4 +68,4 @@ TEST(ContactBodies, TheArmBesideAWallIsTheRadiusAtAnyDistance) {
   }
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "contact/linear_spring_dashpot.h"
-#include "event_stepping/pair_step.h"
+#include "contact_solver/pair_step.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
+
+using namespace contact_solver;
 
 /// Force of spring and dashpot at `overlap` [length] and its rate, taken for all of `time`,
 /// [force]; positive repels. Sets what it does in `record`.
@@ -19,4 +21,4 @@ inline double sampled_repulsion(const contact::LinearSpringDashpot& spring, doub
   return repulsion;
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

@@ -6,10 +6,10 @@
 
 #include "contact/adhesion.h"
 #include "contact/linear_spring_dashpot.h"
-#include "event_stepping/damped_oscillator.h"
-#include "event_stepping/first_root.h"
+#include "contact_solver/damped_oscillator.h"
+#include "contact_solver/first_root.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// What happened to a pair's normal motion during a step.
 struct NormalRecord {
@@ -247,4 +247,4 @@ class NormalMotion {
   double edge_;
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

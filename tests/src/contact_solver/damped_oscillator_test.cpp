@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/damped_oscillator.h"
+#include "contact_solver/damped_oscillator.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -167,4 +167,4 @@ TEST(DampedOscillator, FirstZeroMissesADipWhenAskedForMoreThanHalfAPeriod) {
   EXPECT_EQ(o.first_zero(start, 0.0, t, o.after(t, start, 0.0)).time, never);
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

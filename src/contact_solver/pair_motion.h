@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "event_stepping/pair_step.h"
+#include "contact_solver/pair_step.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// What a contact must know of a particle; a wall has inverse mass 0 and radius 0.
 struct Body {
@@ -77,4 +77,4 @@ struct ContactEnergies {
   double exchanged = 0.0;  ///< part of the load that all contacts together exchange with each other
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

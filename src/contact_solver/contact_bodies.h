@@ -2,9 +2,9 @@
 #pragma once
 
 #include "contact/tangential_spring.h"
-#include "event_stepping/pair_motion.h"
+#include "contact_solver/pair_motion.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Two spheres that touch, or a sphere and a wall: their effective masses, and how their surfaces
 /// move.
@@ -122,4 +122,4 @@ class ContactBodies {
   double inverse_inertia_j_;
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

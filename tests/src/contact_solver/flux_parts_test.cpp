@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/flux_parts.h"
+#include "contact_solver/flux_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -7,17 +7,17 @@
 
 #include "constants.h"
 #include "contact_solver/spheres.h"
-#include "event_stepping/sampled_contact.h"
-#include "event_stepping/sampled_well.h"
+#include "sampled_contact/sampled_contact.h"
+#include "sampled_contact/sampled_well.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 constexpr double core = 2.0 * thesis::radius;
 const Body particle = thesis::particle();
-using Pair = contact_solver::Spheres<contact_solver::ContactSolver, ContactHistory::normal_only>;
+using Pair = Spheres<ContactSolver, ContactHistory::normal_only>;
 
 constexpr double repulsion = 3.0, pull = 2.0;
 const Vector3 place{0.6, 0.8, 0.0}, friction{-0.4, 0.3, 0.0};
@@ -43,8 +43,8 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
   const double normal = dt * (800.0 * overlap + 0.79e-3 * rate);
   for (const double depth : {0.0, 5e-11}) {
     const double range = depth > 0.0 ? 0.01 * core : 0.0;
-    const SampledContact<SampledWell> c(p, {0.0, range, depth}, particle, particle,
-                                        {0.5 * dt, 0.5 * dt});
+    const sampled_contact::SampledContact<sampled_contact::SampledWell> c(
+        p, {0.0, range, depth}, particle, particle, {0.5 * dt, 0.5 * dt});
     // A pair that flew into the contact from outside of the well gets the impulse of its edge, too.
     ContactHistory history;
     const FrictionalStep step =
@@ -87,9 +87,8 @@ TEST(FluxParts, InAResolvedImpactTheSpringGivesWhatItDoesInContact) {
     const double expected = 2.0 * thesis::reduced_mass * met + a.force * time;
     for (const double part : {4.0, 30.0}) {
       const double dt = thesis::contact_time / part;
-      auto pair =
-          contact_solver::meeting<contact_solver::ContactSolver, ContactHistory::normal_only>(
-              thesis::elastic(), a, dt, core + a.cutoff, speed, 0.0, 2.3 * dt);
+      auto pair = meeting<ContactSolver, ContactHistory::normal_only>(
+          thesis::elastic(), a, dt, core + a.cutoff, speed, 0.0, 2.3 * dt);
       const int steps = static_cast<int>(2.5 * part) + 4;
       pair.steps(steps);
       ASSERT_TRUE(pair.are_apart());
@@ -107,4 +106,4 @@ TEST(MomentumFlux, IsPositiveInCompressionAndNotSymmetricWithFriction) {
   EXPECT_EQ(flux, (MomentumFlux{4.0, 10.0, 18.0, 5.0, 6.0, 12.0}));
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixEventStep that finds, as a run is set up, whose contacts it orders and what else
+// The part of FixContactStep that finds, as a run is set up, whose contacts it orders and what else
 // acts on their particles, and refuses what it cannot follow.
 #include <algorithm>
 #include <cstring>
@@ -10,7 +10,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "force.h"
 #include "group.h"
 #include "message.h"
@@ -24,7 +24,7 @@
 
 using namespace LAMMPS_NS;
 
-void FixEventStep::init() {
+void FixContactStep::init() {
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "scheme exact follows contacts over the whole step; use 'run_style verlet'");
   if (force->newton_pair)
@@ -74,7 +74,7 @@ void FixEventStep::init() {
 }
 
 /// A contact moves one sphere, by its own mass.
-void FixEventStep::refuse_rigid_bodies() const {
+void FixContactStep::refuse_rigid_bodies() const {
   if (!may_have_contacts) return;
   for (int i = 0; i < modify->nfix; i++) {
     const Fix* const fix = modify->fix[i];
@@ -88,7 +88,7 @@ void FixEventStep::refuse_rigid_bodies() const {
 }
 
 /// What friction does in a step, and what a spin holds of energy, is of spheres.
-void FixEventStep::require_spheres() {
+void FixContactStep::require_spheres() {
   const bool matters =
       energy_tally.has_readers() ||
       std::any_of(styles.begin(), styles.end(), [this](const SoftContactStyle* some) {
@@ -106,7 +106,7 @@ void FixEventStep::require_spheres() {
 }
 
 /// A warning that was given is not given again.
-void FixEventStep::warn_of_unmoved() {
+void FixContactStep::warn_of_unmoved() {
   if (warned_of_unmoved || !may_have_contacts) return;
   std::vector<int> announced;
   for (const AnnouncedParticle& particle : announced_particles(lmp))
@@ -116,7 +116,7 @@ void FixEventStep::warn_of_unmoved() {
 
 /// Of walls that have another scheme than every pair style with contacts. A warning that was given
 /// is not given again.
-void FixEventStep::warn_of_mixed_schemes() {
+void FixContactStep::warn_of_mixed_schemes() {
   if (warned_of_mixed_schemes) return;
   const auto is_pair = [](const SoftContactStyle* some) {
     return dynamic_cast<const Pair*>(some) && some->has_contacts();
@@ -138,7 +138,7 @@ void FixEventStep::warn_of_mixed_schemes() {
 
 /// Of spheres on which friction acts and that do not turn. A warning that was given is not given
 /// again.
-void FixEventStep::warn_of_spins() {
+void FixContactStep::warn_of_spins() {
   if (warned_of_unturned && warned_of_held) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)

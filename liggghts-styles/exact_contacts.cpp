@@ -6,7 +6,7 @@
 #include "contact_models.h"
 #include "domain.h"
 #include "error.h"
-#include "event_contacts.h"
+#include "exact_contacts.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -45,7 +45,7 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 
 }  // namespace
 
-EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGran* wall,
+ExactContacts::ExactContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGran* wall,
                              const std::string& who)
     : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp) {
   // "0": the same seen from the other particle.
@@ -54,9 +54,9 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
     owner->add_history_value(("contact" + std::to_string(k)).c_str(), "0");
 }
 
-EventContacts::~EventContacts() = default;
+ExactContacts::~ExactContacts() = default;
 
-void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
+void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
                             const ContactRange& range, int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
@@ -91,7 +91,7 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
     }
 }
 
-EventContacts::KnownContact* EventContacts::know(KnownContact& k,
+ExactContacts::KnownContact* ExactContacts::know(KnownContact& k,
                                                  const ContactModels::SurfacesCloseData& d,
                                                  double rj, double mass_i, double mass_j) const {
   if (mass_i == 0.0 && mass_j == 0.0) return nullptr;
@@ -104,7 +104,7 @@ EventContacts::KnownContact* EventContacts::know(KnownContact& k,
   return &k;
 }
 
-void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const {
+void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const {
   const auto inverse = [](double mass) { return mass > 0.0 ? 1.0 / mass : 0.0; };
   const double reduced_mass = 1.0 / (inverse(k.mass_i) + inverse(k.mass_j));
   const double dt = lmp_->update->dt;
@@ -118,13 +118,13 @@ void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
-    k.tangential = cohesion::event_stepping::spring_on_grid(
+    k.tangential = cohesion::contact_solver::spring_on_grid(
         springs.tangential_stiffness, springs.tangential_damping, tangential_mass, dt);
   });
 }
 
 /// The acceleration of the distance by all forces of the step before, [length/time^2].
-double EventContacts::acceleration(const ContactModels::SurfacesCloseData& d,
+double ExactContacts::acceleration(const ContactModels::SurfacesCloseData& d,
                                    const cohesion::Vector3& n) const {
   double by_all = 0.0;
   if (mobile_.moves(atom_->mask[d.i])) by_all += dot(others_->acceleration(d.i), n);
@@ -134,7 +134,7 @@ double EventContacts::acceleration(const ContactModels::SurfacesCloseData& d,
 
 /// What the step before has left of the contact, or of one with the triangle of the mesh that it
 /// has come from; nullptr: nothing.
-const double* EventContacts::last_record(const ContactModels::SurfacesCloseData& d) const {
+const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData& d) const {
   const double* const history = d.contact_history + offset_;
   const double now = others_->clock();
   if (history[STEP] == now) return history;
@@ -144,7 +144,7 @@ const double* EventContacts::last_record(const ContactModels::SurfacesCloseData&
   return before ? before + offset_ : nullptr;
 }
 
-bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
+bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
                            const double* normal, ContactStep& step) {
   const bool first = d.computeflag && !d.shearupdate;
   KnownContact* const k = known_contact(d);
@@ -184,7 +184,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
 
 /// Excludes the force of an impulse from the accelerations that other contacts of both particles
 /// see.
-void EventContacts::exclude_impulse(const KnownContact& k,
+void ExactContacts::exclude_impulse(const KnownContact& k,
                                     const ContactModels::SurfacesCloseData& d, const double* normal,
                                     const ContactState& state) {
   if (state.force == 0.0 || !k.law->gave_impulse(state)) return;
@@ -193,7 +193,7 @@ void EventContacts::exclude_impulse(const KnownContact& k,
   if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) others_->exclude(d.j, -on_i);
 }
 
-bool EventContacts::in_range(const double* history) const {
+bool ExactContacts::in_range(const double* history) const {
   ContactState state;
   if (history) state.phase = ContactState::phase_of(history + offset_);
   return state.in_range();
@@ -201,7 +201,7 @@ bool EventContacts::in_range(const double* history) const {
 
 /// A step that is computed again, as each run does with the last one, repeats its force. A run of
 /// another step begins anew, but for impulses: the half that is to come is another force then.
-bool EventContacts::repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
+bool ExactContacts::repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
                            ContactStep& step, ContactState& state) const {
   double* const history = d.contact_history + offset_;
   if (history[STEP] != others_->clock() + 1.0) return false;
@@ -219,7 +219,7 @@ bool EventContacts::repeat(const KnownContact& k, const ContactModels::SurfacesC
   return true;
 }
 
-void EventContacts::write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
+void ExactContacts::write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
                           const ContactStep& step) const {
   double* const history = d.contact_history + offset_;
   state.store(history);
@@ -228,7 +228,7 @@ void EventContacts::write(const ContactModels::SurfacesCloseData& d, const Conta
   remember(d, state.phase != ContactState::outside || step.force != 0.0);
 }
 
-void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
+void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
                                  const ContactStep& step, double* spring) const {
   if (followed_)
     set_friction(contact, *followed_, step.repulsion, time_apart_, spring);

@@ -2,17 +2,15 @@
 #pragma once
 
 #include "contact/contact_parameters.h"
+#include "contact_solver/contact_bodies.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/discrete_spring.h"
-#include "event_stepping/contact_bodies.h"
-#include "event_stepping/pair_motion.h"
-#include "event_stepping/pair_step.h"
+#include "contact_solver/pair_motion.h"
+#include "contact_solver/pair_step.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
 
-using contact_solver::ContactHistory;
-using contact_solver::ContactState;
-using contact_solver::DiscreteSpring;
+using namespace contact_solver;
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
 /// Pair: SampledHamaker, SampledWell or SampledBridge. Everything that does not change
@@ -160,4 +158,4 @@ class SampledContact {
   DiscreteSpring rolling_;
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

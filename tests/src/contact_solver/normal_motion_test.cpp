@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/normal_motion.h"
+#include "contact_solver/normal_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "contact_solver/thesis_contact.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -307,4 +307,4 @@ TEST(NormalMotion, EnteringBelowTheEdgeGainsTheAdhesionsWorkUpToThere) {
   }
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

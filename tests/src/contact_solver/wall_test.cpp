@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/wall.h"
+#include "contact_solver/wall.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,14 @@
 namespace {
 
 using cohesion::Vector3;
-using cohesion::event_stepping::FarFromWalls;
-using cohesion::event_stepping::is_behind;
-using cohesion::event_stepping::StepWindow;
-using cohesion::event_stepping::Wall;
-using cohesion::event_stepping::WallCourse;
-using cohesion::event_stepping::WallMotion;
-using cohesion::event_stepping::WallPoint;
-using cohesion::event_stepping::WallState;
+using cohesion::contact_solver::FarFromWalls;
+using cohesion::contact_solver::is_behind;
+using cohesion::contact_solver::StepWindow;
+using cohesion::contact_solver::Wall;
+using cohesion::contact_solver::WallCourse;
+using cohesion::contact_solver::WallMotion;
+using cohesion::contact_solver::WallPoint;
+using cohesion::contact_solver::WallState;
 
 constexpr double step = 1e-3;
 constexpr StepWindow whole{0.5 * step, 0.5 * step};

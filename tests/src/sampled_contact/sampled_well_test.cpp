@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/sampled_well.h"
+#include "sampled_contact/sampled_well.h"
 
 #include <gtest/gtest.h>
 
 #include "contact_solver/thesis_contact.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
 namespace {
 
 constexpr double core = 2.0 * thesis::radius, edge = 1.01 * core, depth = 5e-11;
@@ -64,4 +64,4 @@ TEST(SampledWell, InContactItIsTheSampledSpring) {
   EXPECT_EQ(pair().adhesion_energy(overlap), -depth);
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixEventStep that keeps numbers of particles: of this step, for their ghosts, for the
-// process they go to, and for restart files.
+// The part of FixContactStep that keeps numbers of particles: of this step, for their ghosts, for
+// the process they go to, and for restart files.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 #include "memory.h"
 #include "neighbor.h"
 #include "restart_format.h"
@@ -21,7 +21,7 @@
 using namespace LAMMPS_NS;
 
 /// Updates how far the fastest particle or ghost of all ranks may fly, and all masses and radii.
-void FixEventStep::update_particles() {
+void FixContactStep::update_particles() {
   const int all = atom->nlocal + atom->nghost;
   double fastest = fastest_of(atom, domain, number_of_movers(lmp));
   // Two ranks that have the particles of a pair must decide alike.
@@ -35,7 +35,7 @@ void FixEventStep::update_particles() {
 /// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
 /// Groups count as they were when the list of neighbours was new, when ghosts get theirs, but for
 /// dynamic ones.
-void FixEventStep::update_masses(int all) {
+void FixContactStep::update_masses(int all) {
   const double* const mass = atom->rmass;
   if (any_dynamic_group) return update_masses_by_owners(all);
   if (neighbor->ago == 0 || known_masses.empty()) {
@@ -49,14 +49,14 @@ void FixEventStep::update_masses(int all) {
 }
 
 /// The same where owners alone know in each step what moves their particles.
-void FixEventStep::update_masses_by_owners(int all) {
+void FixContactStep::update_masses_by_owners(int all) {
   std::vector<char> moves(all, 0);
   for (int i = 0; i < atom->nlocal; i++) moves[i] = mobile.inverse_mass(atom->mask[i], 1.0) != 0.0;
   forward_flagged(moves, nullptr, 0);
   for (int i = 0; i < all; i++) inverse_mass[i] = moves[i] ? 1.0 / atom->rmass[i] : 0.0;
 }
 
-void FixEventStep::update_radii(int all) {
+void FixContactStep::update_radii(int all) {
   const double* const radius = atom->radius;
   if (neighbor->ago != 0 && known_radii.size() == static_cast<std::size_t>(all) &&
       std::memcmp(known_radii.data(), radius, all * sizeof(double)) == 0)
@@ -66,7 +66,7 @@ void FixEventStep::update_radii(int all) {
 }
 
 /// Gives ghosts the accelerations of their owners, and finds the largest.
-void FixEventStep::forward_accelerations() {
+void FixContactStep::forward_accelerations() {
   const int all = atom->nlocal + atom->nghost;
   if (atom->nghost > 0 || comm->nprocs > 1) {
     flagged.assign(all, 0);
@@ -75,7 +75,7 @@ void FixEventStep::forward_accelerations() {
       flagged[i] = a[0] != 0.0 || a[1] != 0.0 || a[2] != 0.0;
     }
     for (int i = atom->nlocal; i < all; i++) accelerations.clear(i);
-    forward_flagged(flagged, &FixEventStep::acceleration_of, accelerations.size());
+    forward_flagged(flagged, &FixContactStep::acceleration_of, accelerations.size());
   }
   double largest = 0.0;
   for (int i = 0; i < all; i++) {
@@ -86,7 +86,7 @@ void FixEventStep::forward_accelerations() {
 }
 
 /// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
-void FixEventStep::forward_flagged(std::vector<char>& flags, NumbersOf values, int each) {
+void FixContactStep::forward_flagged(std::vector<char>& flags, NumbersOf values, int each) {
   std::fill(flags.begin() + atom->nlocal, flags.end(), 0);
   forwarded_flags = flags.data();
   forwarded_values = values;
@@ -97,7 +97,7 @@ void FixEventStep::forward_flagged(std::vector<char>& flags, NumbersOf values, i
 /// Packs, of the particles that are flagged, their places in the list and their values; -1 after
 /// the last one, where the list does not end with it. A ghost that is passed on has what its owner
 /// sent.
-int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
+int FixContactStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   double* end = buf;
   for (int k = 0; k < n; k++) {
     if (!forwarded_flags[list[k]]) continue;
@@ -108,7 +108,7 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   return static_cast<int>(end - buf);
 }
 
-void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
+void FixContactStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
     const int i = first + static_cast<int>(*buf++);
     forwarded_flags[i] = 1;
@@ -117,29 +117,29 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   }
 }
 
-void FixEventStep::grow_arrays(int nmax) {
+void FixContactStep::grow_arrays(int nmax) {
   impulsive_forces.resize(nmax);
   if (last.has_room()) last.grow(nmax);
   accelerations.grow(nmax);
-  memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
+  memory->grow(inverse_mass, nmax, "contact_step:inverse_mass");
 }
 
-void FixEventStep::copy_arrays(int i, int j, int) {
+void FixContactStep::copy_arrays(int i, int j, int) {
   accelerations.copy(i, j);
   if (last.has_room()) last.copy(i, j);
 }
 
-void FixEventStep::set_arrays(int i) {
+void FixContactStep::set_arrays(int i) {
   accelerations.clear(i);
   if (last.has_room()) last.clear(i);
 }
 
-int FixEventStep::pack_exchange(int i, double* buf) {
+int FixContactStep::pack_exchange(int i, double* buf) {
   const int taken = accelerations.pack(i, buf);
   return last.has_room() ? taken + last.pack(i, buf + taken) : taken;
 }
 
-int FixEventStep::unpack_exchange(int i, double* buf) {
+int FixContactStep::unpack_exchange(int i, double* buf) {
   const int taken = accelerations.unpack(i, buf);
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
@@ -150,7 +150,7 @@ static constexpr int LAYOUT = 6, HEAD = 3;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
-void FixEventStep::write_restart(FILE* fp) {
+void FixContactStep::write_restart(FILE* fp) {
   const ContactEnergyTally::Totals mine = energy_tally.totals();
   double values[OF_RESTART] = {RESTART_MARK + LAYOUT, forces_dt,
                                tally_unknown && !running ? 1.0 : 0.0};
@@ -162,7 +162,7 @@ void FixEventStep::write_restart(FILE* fp) {
   fwrite(values, size, 1, fp);
 }
 
-void FixEventStep::restart(char* buf) {
+void FixContactStep::restart(char* buf) {
   const auto* values = reinterpret_cast<const double*>(buf);
   require_layout(lmp, values[0], "scheme exact", LAYOUT);
   forces_dt = values[1];
@@ -174,7 +174,7 @@ void FixEventStep::restart(char* buf) {
   energy_tally.restore_totals(all);
 }
 
-int FixEventStep::pack_restart(int i, double* buf) {
+int FixContactStep::pack_restart(int i, double* buf) {
   // The engine's own forces may have stayed behind when particles changed rank.
   if (!running && last.has_room()) return last.pack_restart(i, buf);
   buf[0] = last.size_restart();
@@ -183,14 +183,14 @@ int FixEventStep::pack_restart(int i, double* buf) {
   return last.size_restart();
 }
 
-void FixEventStep::unpack_restart(int i, int nth) {
+void FixContactStep::unpack_restart(int i, int nth) {
   if (last.has_room()) last.unpack_restart(i, atom->extra[i], nth);
 }
 
-int FixEventStep::maxsize_restart() { return last.size_restart(); }
-int FixEventStep::size_restart(int) { return last.size_restart(); }
+int FixContactStep::maxsize_restart() { return last.size_restart(); }
+int FixContactStep::size_restart(int) { return last.size_restart(); }
 
-double FixEventStep::memory_usage() {
+double FixContactStep::memory_usage() {
   return sizeof(double) * atom->nmax + impulses.bytes() + static_cast<double>(flagged.capacity()) +
          sizeof(double) * (known_masses.capacity() + known_radii.capacity()) +
          sizeof(cohesion::Vector3) * impulsive_forces.capacity() +

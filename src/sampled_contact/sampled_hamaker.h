@@ -2,12 +2,14 @@
 #pragma once
 
 #include "contact/linear_spring_dashpot.h"
-#include "event_stepping/pair_step.h"
-#include "event_stepping/sampled_repulsion.h"
+#include "contact_solver/pair_step.h"
 #include "hamaker/forms.h"
+#include "sampled_contact/sampled_repulsion.h"
 #include "sphere.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
+
+using namespace contact_solver;
 
 /// A Hamaker attraction in the scheme to compare with: the force where the pair is on the grid,
 /// taken for the whole step. It is of first order in the step, and misses whatever lies between two
@@ -75,4 +77,4 @@ class SampledHamaker {
   double range_;
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #ifdef FIX_CLASS
 // clang-format off
-FixStyle(EVENT_STEP,FixEventStep);
+FixStyle(CONTACT_STEP,FixContactStep);
 // clang-format on
 #else
 
-#ifndef LMP_FIX_EVENT_STEP_H
-#define LMP_FIX_EVENT_STEP_H
+#ifndef LMP_FIX_CONTACT_STEP_H
+#define LMP_FIX_CONTACT_STEP_H
 
 #include <vector>
 
@@ -16,9 +16,9 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_advice.h"
 #include "contact_energy_tally.h"
 #include "contact_impulses.h"
+#include "contact_solver/flux_parts.h"
+#include "contact_solver/pair_motion.h"
 #include "domain.h"
-#include "event_stepping/flux_parts.h"
-#include "event_stepping/pair_motion.h"
 #include "fix.h"
 #include "mobile_particles.h"
 #include "soft_contact_style.h"
@@ -30,7 +30,7 @@ struct Bodies {
   const double* radius;
   const double* inverse_mass;
 
-  cohesion::event_stepping::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
+  cohesion::contact_solver::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
 };
 
 /// What all soft contacts share, made by the first style that has some: masses and sizes, and how
@@ -44,10 +44,10 @@ struct Bodies {
 /// A run that continues another, in the same input or from a restart, starts from the forces the
 /// last step ended with: positions are those of n, velocities those of n-1/2, and the forces of
 /// step n cannot be worked out again from the velocities at n.
-class FixEventStep : public Fix {
+class FixContactStep : public Fix {
  public:
-  FixEventStep(class LAMMPS*, int, char**);
-  ~FixEventStep() override;
+  FixContactStep(class LAMMPS*, int, char**);
+  ~FixContactStep() override;
 
   /// Keeps the place in the list of fixes, before those that integrate: for the constructor of a
   /// pair style, which may run while a restart file is read. The fix itself finds what the file
@@ -55,7 +55,7 @@ class FixEventStep : public Fix {
   static void reserve(class LAMMPS*);
   /// The one of this run; made when there is none. Not before a restart file has been read to its
   /// end, and not after the engine has begun to init its fixes.
-  static FixEventStep* of(class LAMMPS*);
+  static FixContactStep* of(class LAMMPS*);
 
   int setmask() override;
   void init() override;
@@ -92,7 +92,7 @@ class FixEventStep : public Fix {
   /// The first step of a run that takes over nothing.
   bool starts() const { return starting; }
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
-  cohesion::event_stepping::Body body(int i) const { return bodies()[i]; }
+  cohesion::contact_solver::Body body(int i) const { return bodies()[i]; }
   Bodies bodies() const { return {atom->radius, inverse_mass}; }
   /// Whether a fix may carry along a particle that has inverse mass 0.
   bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
@@ -100,8 +100,8 @@ class FixEventStep : public Fix {
   template <class Contact>
   Contact contact(const cohesion::contact::ContactParameters& parameters,
                   const typename Contact::Attraction& attraction,
-                  const cohesion::event_stepping::Body& i,
-                  const cohesion::event_stepping::Body& j) const {
+                  const cohesion::contact_solver::Body& i,
+                  const cohesion::contact_solver::Body& j) const {
     if constexpr (Contact::is_exact)
       return {parameters, attraction, i, j, length()};
     else
@@ -132,7 +132,7 @@ class FixEventStep : public Fix {
 
   /// Sum of the contacts of pairs so far; it goes on while somebody holds what add_flux_reader()
   /// gives.
-  cohesion::event_stepping::FluxParts flux;
+  cohesion::contact_solver::FluxParts flux;
   [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
@@ -166,7 +166,7 @@ class FixEventStep : public Fix {
   void update_masses_by_owners(int all);
   void update_radii(int all);
   void report_unresolved();
-  using NumbersOf = double* (FixEventStep::*)(int i);
+  using NumbersOf = double* (FixContactStep::*)(int i);
   void save_accelerations();
   void forward_accelerations();
   double* acceleration_of(int i) { return accelerations.of(i); }

@@ -6,7 +6,7 @@
 #include "contact/adhesion.h"
 #include "validation.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Largest range of an adhesion over the distance of the centres at touch, [1]: see
 /// require_turns_as_touching.
@@ -29,4 +29,4 @@ inline void require_turns_as_touching(const contact::Adhesion& adhesion, double 
           adhesion.cutoff, remedy.str());
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

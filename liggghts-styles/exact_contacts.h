@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_EVENT_CONTACTS_H
-#define COHESION_EVENT_CONTACTS_H
+#ifndef COHESION_EXACT_CONTACTS_H
+#define COHESION_EXACT_CONTACTS_H
 
 #include <algorithm>
 #include <functional>
@@ -34,7 +34,7 @@ struct LateWarning;
 /// The contacts of one pair style or wall under scheme exact: passes the motion of a contact to its
 /// solver (contact_solver/contact_solver.h), and stores its state in the engine's contact history,
 /// with which it goes through exchange and restart. Other forces act as in the step before.
-class EventContacts {
+class ExactContacts {
  public:
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
@@ -44,9 +44,9 @@ class EventContacts {
                                                      double contact_distance, double step);
 
   /// who: in messages; wall: null for pairs. Adds to the history of contacts.
-  EventContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
+  ExactContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
                 const std::string& who);
-  ~EventContacts();
+  ~ExactContacts();
 
   /// `adhesion`: of two types and radii; rj infinite: next to a wall; maker: of the solver; range:
   /// beyond which nothing acts. Stops where the normal model is none that the scheme can follow.
@@ -88,7 +88,7 @@ class EventContacts {
   struct KnownContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
     std::unique_ptr<ContactSolver> law;
-    cohesion::event_stepping::GridSpring tangential{};
+    cohesion::contact_solver::GridSpring tangential{};
   };
 
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
@@ -146,7 +146,7 @@ class EventContacts {
   std::shared_ptr<LateWarning> late_, cut_short_;
 };
 
-inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
+inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
                                  double& force) {
   double* const history = contact.contact_history + offset_;
   const double now = others_->clock();
@@ -172,7 +172,7 @@ inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   return true;
 }
 
-inline bool EventContacts::is_far(const ContactModels::SurfacesCloseData& d) const {
+inline bool ExactContacts::is_far(const ContactModels::SurfacesCloseData& d) const {
   // A triangle of a mesh has the memory of its neighbours; how far nothing attracts is not told.
   if (d.is_wall || !(range_.gap + range_.ratio > 0.0)) return false;
   if (*d.contact_flags & ContactModels::CONTACT_COHESION_MODEL) return false;
@@ -188,7 +188,7 @@ inline bool EventContacts::is_far(const ContactModels::SurfacesCloseData& d) con
   return left > 0.0 && left * left > (1.0 + 3e-12) * by_others * by_others * d.rsq;
 }
 
-inline void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
+inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
                                         const KnownContact& k, double repulsion, double time_apart,
                                         double* spring) {
   contact.Fn = std::max(repulsion, 0.0);

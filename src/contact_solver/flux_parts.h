@@ -5,7 +5,7 @@
 
 #include "momentum_flux.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Momentum flux of contacts (momentum_flux.h) by what carries it.
 struct FluxParts {
@@ -27,4 +27,4 @@ struct FluxParts {
   }
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

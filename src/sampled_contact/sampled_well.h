@@ -2,10 +2,12 @@
 #pragma once
 
 #include "contact/adhesion.h"
-#include "event_stepping/sampled_repulsion.h"
+#include "sampled_contact/sampled_repulsion.h"
 #include "square_well/impulses.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
+
+using namespace contact_solver;
 
 /// Impulse of the edge of a well on a pair found at `gap` [length] with the normal speed of
 /// approach `approach` [speed], [momentum]; positive repels. `inside`: whether the pair is in its
@@ -83,4 +85,4 @@ class SampledWell {
   double inverse_mass_;
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Returns a/b, or infinity unless that is a positive number: solvers trap divisions by zero.
 inline double positive_ratio(double a, double b) {
@@ -27,4 +27,4 @@ inline double first_root(double distance, double v, double a) {
   return first;
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/sampled_bridge.h"
+#include "sampled_contact/sampled_bridge.h"
 
 #include <gtest/gtest.h>
 
 #include "contact_solver/thesis_contact.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
 namespace {
 
 constexpr double core = 2.0 * thesis::radius;
@@ -89,4 +89,4 @@ TEST(SampledBridge, TalliesWhatItDidNotDo) {
   EXPECT_NEAR((run.kinetic() + stored + run.dissipated) / before, 1.0, 1e-12);
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "contact/adhesion.h"
-#include "event_stepping/sampled_repulsion.h"
+#include "sampled_contact/sampled_repulsion.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::sampled_contact {
+
+using namespace contact_solver;
 
 /// Whether a pair that stands at `gap` [length] has its bridge for the step, `bridged`: whether it
 /// had one. range [length]: gap of rupture.
@@ -71,4 +73,4 @@ class SampledBridge {
   double force_;
 };
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::sampled_contact

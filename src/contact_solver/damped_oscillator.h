@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 
 /// Overlap x [length] and its rate v [length/time].
 struct Overlap {
@@ -203,4 +203,4 @@ inline GridEnds ends_on_grid(double stiffness, double damping, double mass, doub
           {m * (kept - p.vv) / p.xv, m * (1.0 - t * kept / p.xv)}};
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_event_step.h"
+#include "fix_contact_step.h"
 
 #include <algorithm>
 #include <string>
@@ -20,8 +20,8 @@ using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
 
-static constexpr char ID[] = "COHESION_EVENT_STEP";
-static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
+static constexpr char ID[] = "COHESION_CONTACT_STEP";
+static constexpr char PLACE[] = "COHESION_CONTACT_STEP_PLACE";
 
 // What the next run needs of a particle: forces, torques, forces of impulses, and what
 // AlteredParticles compares with, where they begin.
@@ -34,7 +34,7 @@ static void put(const Vector3& a, double* values) {
   values[2] = a.z;
 }
 
-FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
+FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       impulses(lammps),
       energy_tally(lammps),
@@ -68,43 +68,44 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
   create_attribute = 1;
   force_reneighbor = 1;  // styles set when
   next_reneighbor = -1;
-  FixEventStep::grow_arrays(atom->nmax);
+  FixContactStep::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
 
-FixEventStep::~FixEventStep() {
+FixContactStep::~FixContactStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(inverse_mass);
 }
 
-void FixEventStep::reserve(LAMMPS* lmp) {
+void FixContactStep::reserve(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
   if (modify->find_fix(ID) < 0 && modify->find_fix(PLACE) < 0)
     modify->add_fix(std::string(PLACE) + " all DUMMY");
 }
 
-FixEventStep* FixEventStep::of(LAMMPS* lmp) {
+FixContactStep* FixContactStep::of(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
   reserve(lmp);
-  if (modify->find_fix(ID) < 0) modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
-  return static_cast<FixEventStep*>(modify->fix[modify->find_fix(ID)]);
+  if (modify->find_fix(ID) < 0)
+    modify->replace_fix(PLACE, std::string(ID) + " all CONTACT_STEP", 1);
+  return static_cast<FixContactStep*>(modify->fix[modify->find_fix(ID)]);
 }
 
-int FixEventStep::setmask() {
+int FixContactStep::setmask() {
   return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE | FixConst::POST_FORCE |
          FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 /// Whether a step has nothing to do for any particle.
-bool FixEventStep::is_idle() const {
+bool FixContactStep::is_idle() const {
   return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
-double FixEventStep::length() const { return update->dt; }
+double FixContactStep::length() const { return update->dt; }
 
-void FixEventStep::setup_pre_force(int) {
+void FixContactStep::setup_pre_force(int) {
   forget_impulses();  // `last` has them
   resuming = last.has_room();
   starting = !resuming;
@@ -132,7 +133,7 @@ void FixEventStep::setup_pre_force(int) {
 
 /// Finds what scripts have altered since the last run, whose contacts are known by their positions
 /// from here on.
-void FixEventStep::find_altered() {
+void FixContactStep::find_altered() {
   altered.start();
   flagged.assign(atom->nlocal + atom->nghost, 0);
   int mine = 0, all = 0;
@@ -143,11 +144,11 @@ void FixEventStep::find_altered() {
     altered.save(i, saved);
   }
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
-  if (all) forward_flagged(flagged, &FixEventStep::alteration, AlteredParticles::EACH);
+  if (all) forward_flagged(flagged, &FixContactStep::alteration, AlteredParticles::EACH);
 }
 
 /// What contacts remember goes by the IDs of particles.
-void FixEventStep::follow_renumbering() {
+void FixContactStep::follow_renumbering() {
   if (!last.has_room()) return;
   std::vector<tagint> before;
   for (int i = 0; i < atom->nlocal; i++)
@@ -159,12 +160,12 @@ void FixEventStep::follow_renumbering() {
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
-void FixEventStep::setup(int) {
+void FixContactStep::setup(int) {
   post_force(0);
   if (idle) impulses.disable();
 }
 
-void FixEventStep::initial_integrate(int) {
+void FixContactStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
   // The time level before this step is to end, and tallies begin with what there is then.
   update->ntimestep--;
@@ -187,7 +188,7 @@ void FixEventStep::initial_integrate(int) {
 }
 
 /// Forces are all there when the next step begins.
-void FixEventStep::save_accelerations() {
+void FixContactStep::save_accelerations() {
   for (int i = 0; i < atom->nlocal; i++)
     put(inverse_mass[i] * (vector(atom->f[i]) - impulsive_forces[i]), accelerations.of(i));
 }
@@ -195,7 +196,7 @@ void FixEventStep::save_accelerations() {
 /// A force f has given f dt/2, and gives f dt'/2 now, where the step is another: for those of
 /// persistent contacts that is right to second order. Impulses become f dt/dt'. Fixes that hold
 /// particles have set forces on them to 0.
-void FixEventStep::keep_impulses() {
+void FixContactStep::keep_impulses() {
   const double more = forces_dt / update->dt - 1.0;
   if (more != 0.0)
     for (const int i : given_impulses) {
@@ -207,18 +208,18 @@ void FixEventStep::keep_impulses() {
   forget_impulses();
 }
 
-void FixEventStep::forget_impulses() {
+void FixContactStep::forget_impulses() {
   for (const int i : given_impulses) impulsive_forces[i] = {};
   given_impulses.clear();
 }
 
 /// Tallies begin when all fixes have been set up; a run of no step ends then.
-void FixEventStep::begin_tallies() {
+void FixContactStep::begin_tallies() {
   for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
   tallies_begun = true;
 }
 
-void FixEventStep::pre_force(int) {
+void FixContactStep::pre_force(int) {
   if (idle) {
     forces_dt = update->dt;
     return;
@@ -227,21 +228,21 @@ void FixEventStep::pre_force(int) {
   step_due = true;
 }
 
-void FixEventStep::post_force(int) {
+void FixContactStep::post_force(int) {
   compute_contacts([] {});
   if (!idle && mobile.held().any()) hold_spins();
 }
 
 /// A sphere that is held in its place is as heavy for friction as for the normal force: it must not
 /// turn either. Walls, which act later, leave it alone.
-void FixEventStep::hold_spins() {
+void FixContactStep::hold_spins() {
   for (int i = 0; i < atom->nlocal; i++)
     if (mobile.is_held_but_turned(atom->mask[i])) std::fill_n(atom->torque[i], 3, 0.0);
 }
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
 /// its particles may be others.
-void FixEventStep::advise_if_due(bool setup) {
+void FixContactStep::advise_if_due(bool setup) {
   if (advised.empty() || !watch.due(setup)) return;
   AdviceOfStyles advice;
   for (AdvisedStyle* one : advised) one->give_advice(watch.now(), advice);
@@ -249,7 +250,7 @@ void FixEventStep::advise_if_due(bool setup) {
 }
 
 /// With the first forces of a step; false: it has begun.
-bool FixEventStep::begin_step() {
+bool FixContactStep::begin_step() {
   if (!step_due) return false;
   step_due = false;
   before_dt = forces_dt;
@@ -265,24 +266,24 @@ bool FixEventStep::begin_step() {
   return true;
 }
 
-void FixEventStep::update_readers() {
+void FixContactStep::update_readers() {
   energy_tally.update_readers();
   flux_wanted = flux_readers.use_count() > 1;
 }
 
 /// Ends the first time level of a run, once all of its forces are there.
-void FixEventStep::end_start() {
+void FixContactStep::end_start() {
   if (starting && !idle && energy_tally.is_active()) tally_work(true);
   starting = false;
 }
 
-void FixEventStep::end_of_step() {
+void FixContactStep::end_of_step() {
   if (!idle && energy_tally.is_active()) tally_work(false);
 }
 
 /// The work of the forces of this time level: of all but those of contacts, and gravity, and of
 /// friction.
-void FixEventStep::tally_work(bool starts) {
+void FixContactStep::tally_work(bool starts) {
   const double half = 0.5 * forces_dt;  // the next step may be another by now
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++)
@@ -293,7 +294,7 @@ void FixEventStep::tally_work(bool starts) {
                             half, starts);
 }
 
-void FixEventStep::post_run() {
+void FixContactStep::post_run() {
   end_start();
   report_unresolved();
   if (energy_tally.is_active()) {
@@ -310,14 +311,14 @@ void FixEventStep::post_run() {
 }
 
 /// What the next run needs of a particle.
-void FixEventStep::save_last(int i, double* values) const {
+void FixContactStep::save_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
   put(impulsive_forces[i], values + IMPULSIVE);
   altered.save(i, values + PARTICLE);
 }
 
-void FixEventStep::report_unresolved() {
+void FixContactStep::report_unresolved() {
   double all = 0.0;
   MPI_Allreduce(&unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   unresolved = 0.0;
