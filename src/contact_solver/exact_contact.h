@@ -148,8 +148,10 @@ class ExactContact {
     if (energies) {
       set_normal_energies(n, at, *energies);
       if (!first) {
-        energies->stored.load = solver_.account_energy(at, external, normal.force, before);
-        energies->exchanged = solver_.exchanged(external, before);
+        // A persistent contact knows the other forces from its own motion.
+        const double used = history.normal.is_outside() ? external : history.normal.external_before;
+        energies->stored.load = solver_.account_energy(at, used, normal.force, before);
+        energies->exchanged = solver_.exchanged(used, before);
       }
     }
     if constexpr (SIZE >= ContactHistory::with_friction) {
