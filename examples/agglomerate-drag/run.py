@@ -24,7 +24,7 @@ HERE = Path(__file__).resolve().parent
 EXPECTED = HERE / "expected.csv"
 
 # Variables of in.agglomerates
-GAS = {"count": 2000, "phi": 0.02, "A": 0.024, "speed": 0.3, "rate": 0.0, "steps": 20000, "seed": 1}
+GAS = {"count": 2000, "phi": 0.02, "A": 0.024, "speed": 0.3, "rate": 0.0, "steps": 26667, "seed": 1}
 SOURCES = {"cooling": {}, "shear": {"speed": 0.5, "rate": 0.02}}
 WANTED = [3, 5, 8, 13, 20, 32, 50, 80, 120, 200, 320]
 

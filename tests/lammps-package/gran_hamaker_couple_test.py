@@ -301,7 +301,9 @@ class Conservation(unittest.TestCase):
                    f"{residual[-1] / box.energy:.1e} after it")
             softer = (W0 * T_C / division)**2 / 6
             self.assertLess(residual.max(), (1.5 * (overlap / reach)**2 + 2 * softer * overlap / reach) * box.energy)
-            self.assertLess(abs(box.tally[3][-1]), 10 * box.rounding)
+            # Of each couple, the account and the work of its last two forces may be left, 1e-9 of mu v^2 each; the
+            # adhesion makes them faster.
+            self.assertLess(abs(box.tally[3][-1]), 40 * 5e-9 * Box.MU * Box.SPEED**2)
             turned = Box.SPEED * T_C / division / reach
             self.assertLess(residual[-1], turned**2 * box.tally[6][-1] + box.rounding)
 
