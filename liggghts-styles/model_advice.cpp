@@ -21,9 +21,9 @@
 #include "guarded.h"
 #include "integrated_particles.h"
 #include "liggghts_api.h"
-#include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "several_neighbours.h"
 #include "sphere.h"
 #include "update.h"
 
@@ -65,27 +65,10 @@ bool inserts(const Modify* modify) {
   return false;
 }
 
-/// Whether a particle of this rank has several neighbours in the list of the pairs.
-bool has_several_neighbours(const LAMMPS* lmp) {
-  const Pair* const pair = lmp->force->pair;
-  const NeighList* const list = pair ? pair->list : nullptr;
-  if (!list || !list->numneigh) return false;
-  // A half list names a pair once.
-  std::vector<int> neighbours(lmp->atom->nlocal + lmp->atom->nghost, 0);
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii], jnum = list->numneigh[i];
-    if (jnum > 1 || (neighbours[i] += jnum) > 1) return true;
-    if (jnum == 1 && ++neighbours[list->firstneigh[i][0] & NEIGHMASK] > 1) return true;
-  }
-  return false;
-}
-
 advice::Crowd crowd(LAMMPS* lmp) {
-  const int mine = inserts(lmp->modify) || has_several_neighbours(lmp);
-  int several = 0;
-  MPI_Allreduce(&mine, &several, 1, MPI_INT, MPI_MAX, lmp->world);
-  if (several) return advice::Crowd::several;
-  return lmp->atom->natoms > 2 ? advice::Crowd::separate : advice::Crowd::pair;
+  const Pair* const pair = lmp->force->pair;
+  return crowd_of_all(
+      lmp, inserts(lmp->modify) || has_several_neighbours(lmp, pair ? pair->list : nullptr));
 }
 
 std::set<int> types_of(const FixWallGran& wall) {

@@ -27,24 +27,24 @@ class CohesiveCoefficients : protected Pointers {
   using Parameters = typename Cohesion::Parameters;
 
   explicit CohesiveCoefficients(LAMMPS* lammps)
-      : Pointers(lammps), scheme_(Scheme::exact), given_(lammps) {}
+      : Pointers(lammps), scheme_(Scheme::exact), parameters_(lammps) {}
 
   static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
 
   /// What `pair_style` says.
   void read_settings(int narg, char** arg);
   /// Room for pairs of `types` types. `set` is the engine's table of those that were given.
-  void make_room(int types, int** set) { given_.make_room(types, set); }
+  void make_room(int types, int** set) { parameters_.make_room(types, set); }
   /// What `pair_coeff` says.
   void read(int narg, char** arg);
   /// The laws are made anew, by prepare().
   void start() {
-    given_.commit();
-    laws_.assign(given_.size(), cohesion_.no_law());
-    prepared_.assign(given_.size(), false);
+    parameters_.commit();
+    laws_.assign(parameters_.size(), cohesion_.no_law());
+    prepared_.assign(parameters_.size(), false);
     has_other_ranges_ = false;
   }
-  void require_committed() const { given_.require_committed(where()); }
+  void require_committed() const { parameters_.require_committed(where()); }
   /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
   bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
   /// Whether any law that prepare() has made acts as far as another than that of the run before.
@@ -54,7 +54,7 @@ class CohesiveCoefficients : protected Pointers {
   double prepare(int i, int j, double radius_i, double radius_j);
   /// Stops LAMMPS where particles of these radii are too small for what prepare() took.
   void require_short(int i, int j, double radius_i, double radius_j) const {
-    cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
+    cohesion_.require_short(lmp, where_types(i, j), parameters_(i, j), radius_i, radius_j);
     if constexpr (std::is_same_v<typename Cohesion::Solver,
                                  cohesion::contact_solver::ContactSolver>) {
       if (scheme_ != Scheme::exact || radius_i == 0.0 || radius_j == 0.0) return;
@@ -72,39 +72,39 @@ class CohesiveCoefficients : protected Pointers {
   void write_settings(FILE*, int per_pair) const;
   /// Returns that number.
   int read_settings(FILE*);
-  void write(FILE* fp) const { given_.write(fp); }
+  void write(FILE* fp) const { parameters_.write(fp); }
   void read(FILE* fp) {
-    given_.read(fp, [this](int i, int j, const Parameters& p) {
+    parameters_.read(fp, [this](int i, int j, const Parameters& p) {
       give(i, j, p);
       note_range(i, j);
     });
   }
 
   Scheme scheme() const { return scheme_; }
-  int pairs_of_types() const { return given_.size(); }
+  int pairs_of_types() const { return parameters_.size(); }
   /// The number of a pair of types.
-  int of_types(int i, int j) const { return given_.number(i, j); }
+  int of_types(int i, int j) const { return parameters_.number(i, j); }
   const cohesion::contact::ContactParameters& contact(int of_types) const {
-    return given_[of_types].contact;
+    return parameters_[of_types].contact;
   }
   cohesion::advice::Material material(int of_types) const {
-    return Cohesion::material(given_[of_types]);
+    return Cohesion::material(parameters_[of_types]);
   }
-  std::string doubt(int of_types) const { return Cohesion::doubt(lmp, given_[of_types]); }
+  std::string doubt(int of_types) const { return Cohesion::doubt(lmp, parameters_[of_types]); }
   /// Gap up to which particles of these types attract each other, whatever the scheme makes of it,
   /// [length]; 0: they do not.
   double range_of_attraction(int of_types) const {
-    return Cohesion::range(Scheme::sampled, given_[of_types], 1.0, 1.0);
+    return Cohesion::range(Scheme::sampled, parameters_[of_types], 1.0, 1.0);
   }
   /// Whether any contact resists rolling. Of the given ones: mixing adds none.
   bool any_rolls() const {
-    return std::any_of(given_.begin(), given_.end(),
+    return std::any_of(parameters_.begin(), parameters_.end(),
                        [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
   }
   /// Whether any contact of this type has friction.
   bool has_friction(int type, int types) const {
     const auto any_between = [&](int other) {
-      const auto& contact = given_(type, other).contact;
+      const auto& contact = parameters_(type, other).contact;
       return contact.friction > 0.0 || contact.rolling_friction > 0.0;
     };
     for (int other = 1; other <= types; other++)
@@ -116,7 +116,7 @@ class CohesiveCoefficients : protected Pointers {
     if constexpr (Cohesion::HAS_CONTACT)
       return true;
     else
-      return std::any_of(given_.begin(), given_.end(), &Cohesion::attracts);
+      return std::any_of(parameters_.begin(), parameters_.end(), &Cohesion::attracts);
   }
   /// As a pair of src/contact_solver takes it.
   template <class Attraction>
@@ -135,14 +135,14 @@ class CohesiveCoefficients : protected Pointers {
     return where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
   }
   void give(int i, int j, const Parameters& p) {
-    given_(i, j) = p;
-    given_(j, i) = Cohesion::reversed(p);
+    parameters_(i, j) = p;
+    parameters_(j, i) = Cohesion::reversed(p);
   }
   /// Returns whether it is another than before; the first of all is not.
   bool note_range(int i, int j) {
-    ranges_.resize(given_.size(), NONE);
+    ranges_.resize(parameters_.size(), NONE);
     const double before = ranges_[of_types(i, j)];
-    ranges_[of_types(i, j)] = Cohesion::range(Scheme::exact, given_(i, j), 1.0, 1.0);
+    ranges_[of_types(i, j)] = Cohesion::range(Scheme::exact, parameters_(i, j), 1.0, 1.0);
     return before != NONE && before != ranges_[of_types(i, j)];
   }
 
@@ -150,7 +150,7 @@ class CohesiveCoefficients : protected Pointers {
 
   Scheme scheme_;
   Cohesion cohesion_;
-  TypePairTable<Parameters> given_;
+  TypePairTable<Parameters> parameters_;
   std::vector<typename Cohesion::Law> laws_;  // by of_types(); of a scaled adhesion, if wished
   std::vector<bool> prepared_;                // the same
   std::vector<double> ranges_;                // the same, of particles of radius 1
@@ -181,18 +181,18 @@ void CohesiveCoefficients<Cohesion>::read(int narg, char** arg) {
   const std::string here =
       std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of " + Cohesion::STYLE;
   const Parameters p = contact_from_script(here, narg, arg);
-  given_.assign(here, arg, [&](int i, int j) { give(i, j, p); });
+  parameters_.assign(here, arg, [&](int i, int j) { give(i, j, p); });
 }
 
 template <class Cohesion>
 double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, double radius_j) {
   const std::string here = where_types(i, j);
-  if (given_.to_mix(where(), i, j))
+  if (parameters_.to_mix(where(), i, j))
     give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
-           return Cohesion::mixed(given_(i, i), given_(j, j));
+           return Cohesion::mixed(parameters_(i, i), parameters_(j, j));
          }));
   if (note_range(i, j)) has_other_ranges_ = true;
-  const Parameters scaled = cohesion_.scaled(lmp, here, given_(i, j));
+  const Parameters scaled = cohesion_.scaled(lmp, here, parameters_(i, j));
   laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
   laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
   prepared_[of_types(i, j)] = prepared_[of_types(j, i)] = true;

@@ -20,8 +20,8 @@
 
 namespace LAMMPS_NS {
 
-/// How contacts are followed in time; to add one: its pair in src/contact_solver, its row in
-/// `schemes`, its alternative in the styles' AnyContacts.
+/// How the motion of contacts is integrated; to add a scheme: its pair in src/contact_solver, its
+/// row in `schemes`, its alternative in the styles' AnyContacts.
 enum class Scheme { exact, sampled };
 
 /// What `scheme name` says.

@@ -21,6 +21,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "several_neighbours.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -62,29 +63,14 @@ double gravity(LAMMPS* lmp, int groupbit) {
   return all;
 }
 
-/// Whether a particle of this rank has several neighbours in the lists of the pair styles.
-bool has_several_neighbours(LAMMPS* lmp) {
-  const Neighbor* const neighbor = lmp->neighbor;
-  for (int k = 0; k < neighbor->nlist; k++) {
-    const NeighList* const list = neighbor->lists[k];
-    if (list->requestor_type != NeighList::PAIR || list->occasional || !list->numneigh) continue;
-    // A half list names a pair once.
-    std::vector<int> neighbours(lmp->atom->nlocal + lmp->atom->nghost, 0);
-    for (int ii = 0; ii < list->inum; ii++) {
-      const int i = list->ilist[ii], jnum = list->numneigh[i];
-      if (jnum > 1 || (neighbours[i] += jnum) > 1) return true;
-      if (jnum == 1 && ++neighbours[list->firstneigh[i][0] & NEIGHMASK] > 1) return true;
-    }
-  }
-  return false;
-}
-
 advice::Crowd crowd(LAMMPS* lmp) {
-  const int mine = !announced_particles(lmp).empty() || has_several_neighbours(lmp);
-  int several = 0;
-  MPI_Allreduce(&mine, &several, 1, MPI_INT, MPI_MAX, lmp->world);
-  if (several) return advice::Crowd::several;
-  return lmp->atom->natoms > 2 ? advice::Crowd::separate : advice::Crowd::pair;
+  bool several = !announced_particles(lmp).empty();
+  for (int k = 0; k < lmp->neighbor->nlist && !several; k++) {
+    const NeighList* const list = lmp->neighbor->lists[k];
+    several = list->requestor_type == NeighList::PAIR && !list->occasional &&
+              has_several_neighbours(lmp, list);
+  }
+  return crowd_of_all(lmp, several);
 }
 
 /// The lightest particles of the group, those that fixes have announced among them, and the

@@ -13,6 +13,7 @@
 #include "contact_solver/first_root.h"
 #include "contact_solver/flight.h"
 #include "contact_solver/normal_motion.h"
+#include "contact_solver/persistent_force.h"
 
 namespace cohesion::contact_solver {
 
@@ -24,9 +25,7 @@ namespace cohesion::contact_solver {
 ///
 ///   x_(n+1) = 2 c x_n - d x_(n-1)    c = exp(-alpha dt) cos(q dt)    d = exp(-2 alpha dt)
 ///
-/// so that one discrete force of the usual form is exact at any step:
-///
-///   f = -K' (x_n - x_e) - eta' v_(n-1/2)    K' = mu (1 + d - 2 c)/dt^2    eta' = mu (1 - d)/dt
+/// so that one discrete force of the usual form is exact at any step (persistent_force.h).
 ///
 /// A step in which the pair enters or leaves the range, is captured or turns round in the gap is
 /// resolved: integrated in closed form from the true state at n under a constant external
@@ -56,7 +55,7 @@ class ContactSolver {
   double entry_distance() const { return contact_distance_ + entry_; }
   double step() const { return step_; }
   /// K' and eta'.
-  const GridSpring& spring() const { return spring_; }
+  const GridSpring& spring() const { return persistent_.spring(); }
 
   /// Whether anything can happen to a pair in the step that begins here. `external`
   /// [length/time^2]: acceleration of the distance by other forces.
@@ -82,7 +81,8 @@ class ContactSolver {
                                                  double& repulsion) const {
     const double load = (now.rate - state.last_rate) * inverse_step_ - state.force * inverse_mass_;
     double force;
-    if (!persistent_force(now.distance, now.rate, load, force, repulsion)) return false;
+    const double overlap = contact_distance_ - now.distance;
+    if (!persistent_.at(overlap, now.rate, load, force, repulsion)) return false;
     go_on(now.rate, load - now.centrifugal, force, state);
     return true;
   }
@@ -106,8 +106,7 @@ class ContactSolver {
   /// The discrete force of spring and dashpot at a time level that a persistent contact has
   /// reached, [force].
   double repulsion(const StaggeredMotion& now) const {
-    return spring_.stiffness * (contact_distance_ - now.distance) -
-           spring_.damping * now.mean_rate(step_) + (adhesion_ - attraction_);
+    return persistent_.repulsion(contact_distance_ - now.distance, now.mean_rate(step_));
   }
   /// The energy of spring and adhesion by the energy account, less that of their laws: staggered
   /// velocities have another kinetic energy than the true motion, under a load the discrete spring
@@ -129,8 +128,7 @@ class ContactSolver {
   double dissipated(const StaggeredMotion& now, const ContactState& state) const {
     if (state.phase != ContactState::persistent) return account_.dissipated_late(now, state);
     const double rate = now.mean_rate(step_);
-    return account_.dissipated(state.last_rate, rate) +
-           0.5 * spring_.damping * step_ * rate * (state.last_rate + rate);
+    return account_.dissipated(state.last_rate, rate) + persistent_.damped(state.last_rate, rate);
   }
 
   /// Of a contact with friction: EnergyAccount.
@@ -145,23 +143,16 @@ class ContactSolver {
   ContactSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
                 double contact_distance, double step, double range, double entry)
       : motion_(spring, adhesion, step),
-        oscillator_(spring.stiffness() / spring.reduced_mass(),
-                    0.5 * spring.damping() / spring.reduced_mass()),
-        propagator_(oscillator_.propagator(step)),
+        persistent_(spring, adhesion.force, step),
         contact_distance_(contact_distance),
         range_(range),
         entry_(entry),
         reduced_mass_(spring.reduced_mass()),
-        pull_(adhesion.force / spring.reduced_mass()),
         step_(step),
         inverse_step_(1.0 / step),
         inverse_mass_(1.0 / spring.reduced_mass()),
-        spring_(oscillator_.on_grid(step, spring.reduced_mass())),
-        adhesion_(adhesion.force),
-        attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
-        weight_(spring.stiffness() / spring_.stiffness),
-        bearable_(bearable(spring.restitution())),
-        account_(contact_distance, reduced_mass_, spring_, attraction_, oscillator_, step) {}
+        account_(contact_distance, reduced_mass_, persistent_.spring(), persistent_.attraction(),
+                 persistent_.oscillator(), step) {}
 
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_segments = 100;
@@ -280,15 +271,10 @@ class ContactSolver {
   }
   /// The same and that by other forces.
   double outward(const Flight& now, double external) const { return turning(now) + external; }
-  /// The same in contact. A load L that a persistent contact bears acts as there and gives the
-  /// overlap L/K': were it another in resolved steps, spheres that bounce under their weight would
-  /// gain energy. A contact is not to bear more than F_ad, and a larger load acts as it is.
-  double in_contact(double outward) const {
-    return outward < bearable_ ? weight_ * outward : outward;
-  }
   bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    if (!motion_.advance_persistent(s, step_, in_contact(load), record)) return false;
+    if (!motion_.advance_persistent(s, step_, persistent_.resolved_load(load), record))
+      return false;
     put(now, s);
     return true;
   }
@@ -304,7 +290,8 @@ class ContactSolver {
                           NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
     const double load = outward(now, external);
-    const double taken = motion_.advance(s, time, {load, in_contact(load)}, in_range, record);
+    const double taken =
+        motion_.advance(s, time, {load, persistent_.resolved_load(load)}, in_range, record);
     put(now, s);
     return taken;
   }
@@ -345,37 +332,6 @@ class ContactSolver {
   }
 
  private:
-  /// The fraction of the way of a step that a contact must be away from its end to be certain to
-  /// last.
-  static constexpr double certain = 0.1;
-
-  /// Up to which load a contact stays persistent. Beyond it the overlap at rest is (F_ad - L)/K,
-  /// where it was F_ad/K - L/K' before, and the contact begins to swing by the difference. What is
-  /// left of the swing when the contact is to part must not part it by a hundredth of F_ad too
-  /// early: half of that, of a load that is slow, which needs ten contact times for the last part
-  /// of its way.
-  double bearable(double restitution) const {
-    if (!(pull_ > 0.0)) return std::numeric_limits<double>::infinity();
-    const double swing = (weight_ - 1.0) * std::pow(restitution, 10.0);
-    return pull_ * std::min(1.0 / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
-  }
-
-  /// The discrete force of a contact that was in contact throughout the last step, on both sides
-  /// and of spring and dashpot alone. False where it is not certain to be so until the next time
-  /// level under the `load` [length/time^2] of the last step, or does not bear that load.
-  [[gnu::always_inline]] bool persistent_force(double distance, double rate, double load,
-                                               double& force, double& repulsion) const {
-    if (!(load < bearable_)) return false;
-    const double overlap = contact_distance_ - distance;
-    force = spring_.stiffness * overlap - spring_.damping * rate - attraction_;
-    repulsion = force + adhesion_;
-    const double next = -rate - step_ * (force * inverse_mass_ + load);
-    // Between two time levels it may dip below both, most where what pulls is constant.
-    const double dip = 0.125 * step_ * std::max(next + rate, 0.0);
-    const double least = certain * step_ * std::abs(rate) + 2.0 * dip;
-    return overlap > least && overlap + step_ * next > least;
-  }
-
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
                         ContactStep& step) const {
     if (state.phase == ContactState::persistent) {
@@ -387,7 +343,8 @@ class ContactSolver {
     } else {
       const double load = outward({now.distance, now.rate, now.sideways}, external);
       const double rate = now.mean_rate(step_);
-      if (!persistent_force(now.distance, rate, load, step.force, step.repulsion)) return false;
+      const double overlap = contact_distance_ - now.distance;
+      if (!persistent_.at(overlap, rate, load, step.force, step.repulsion)) return false;
       const double account = account_.exchanged(state.force, external, state) +
                              account_.up_to(now, state) + account_.work(step.force, now) +
                              account_.stored(now);
@@ -431,30 +388,18 @@ class ContactSolver {
     if (state.phase != ContactState::persistent)
       return now.rate + state.velocity_offset + 0.5 * step_ * external;
     const double before = std::hypot(now.distance - step_ * now.rate, step_ * now.sideways);
-    const double drive =
-        pull_ - weight_ * outward({now.distance, now.rate, now.sideways}, external);
-    const double equilibrium = drive / oscillator_.w0_squared();
-    const double was = contact_distance_ - before - equilibrium;
-    const double is = contact_distance_ - now.distance - equilibrium;
-    const double rate = (is - propagator_.xx * was) / propagator_.xv;
-    return -(propagator_.vx * was + propagator_.vv * rate);
+    return persistent_.true_rate(contact_distance_ - before, contact_distance_ - now.distance,
+                                 outward({now.distance, now.rate, now.sideways}, external));
   }
 
   NormalMotion motion_;
-  DampedOscillator oscillator_;
-  DampedOscillator::Propagator propagator_;
+  PersistentForce persistent_;
   double contact_distance_;
   double range_;
   double entry_;
   double reduced_mass_;
-  double pull_;
   double step_, inverse_step_;
   double inverse_mass_;
-  GridSpring spring_;
-  double adhesion_;    // F_ad
-  double attraction_;  // (K'/K) F_ad, of a persistent contact
-  double weight_;      // K/K', of a load on a persistent contact
-  double bearable_;    // largest load per mu that a persistent contact bears, [length/time^2]
   EnergyAccount account_;
 };
 

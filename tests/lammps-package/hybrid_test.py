@@ -54,7 +54,7 @@ class Hybrid(ScriptTestCase):
                     self.assertEqual(self.advised(self.output(style, pairs)), ["1 - 1", "1 - 2", "2 - 2"])
 
     def test_sampled_contacts_beside_those_of_the_exact_scheme_are_contacts_whether_anybody_looks_or_not(self):
-        """Weight and drag are what others do to a contact of the exact scheme; a sampled one is not."""
+        """Weight and drag are external forces on contacts of the exact scheme; forces of sampled contacts are not."""
         row = spheres((1, 0.002, 0.005, 0.005), (1, 0.00301, 0.005, 0.005), (2, 0.00399, 0.005, 0.005))
         ends = []
         for looks in ("", "compute tally all gran/energy\nthermo_style custom step c_tally[1]\n"):
