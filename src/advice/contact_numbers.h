@@ -46,8 +46,7 @@ struct PairParameters {
 ///
 /// which is the well-known w0 dt < 2 without dashpot.
 ///
-/// Source: derived here. The numbers are explained in docs/lammps-package/soft_contact_runs.md,
-/// Time-step check.
+/// Source: derived here. The numbers are explained in docs/lammps-package/time_step_check.md.
 class ContactNumbers {
  public:
   /// Throws InvalidParameter where AdhesiveContact does, and unless radii and masses are positive

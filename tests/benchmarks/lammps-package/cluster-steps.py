@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Kinetic energy [J] of a bound cluster in the closest packing, displaced by up to 1 nm, after 20 contact times.
+
+  cluster-steps.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N ...]
+
+177 spheres of 1 mm bound by A = 1e-17 J; rows: restitution and friction; columns: steps in the contact time of the
+undamped spring. "stopped": beyond the stability limit (docs/theory/contact_steps.md), with the largest step that the
+message names, in the same unit.
+"""
+import re
+
+from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests.lammps_scenes import cohesive_gas as gas
+from cohesion_tests.progress import Progress
+
+CONTACTS = ((0.9, 0.0), (0.9, 0.3), (0.5, 0.0), (0.5, 0.3), (0.3, 0.0), (0.3, 0.3))
+SCRIPT = """plugin load ${{plugin}}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+lattice fcc {lattice}
+region box block -6 6 -6 6 -6 6
+create_box 1 box
+region ball sphere 0 0 0 2.2
+create_atoms 1 region ball
+set group all diameter {diameter} density {density}
+displace_atoms all random 1e-9 1e-9 1e-9 4711
+neighbor 2e-4 bin
+pair_style gran/hamaker
+pair_coeff * * stiffness {stiffness} restitution {restitution} friction {friction} hamaker 1e-17 cutoff 4e-10 1e-7
+fix move all nve/sphere
+compute motion all ke
+compute spins all erotate/sphere
+thermo_style custom step c_motion c_spins
+timestep {dt}
+run {steps}
+"""
+
+
+def cell(folder, restitution, friction, division):
+    pull = 1e-17 * gas.DIAMETER / (24 * 4e-10**2)  # F_ad
+    text = SCRIPT.format(lattice=2**0.5 * (gas.DIAMETER - pull / gas.STIFFNESS), diameter=gas.DIAMETER,
+                         density=gas.DENSITY, stiffness=gas.STIFFNESS, restitution=restitution, friction=friction,
+                         dt=gas.CONTACT_TIME / division, steps=round(20 * division))
+    code, output = engine.run_text(text, folder)
+    limit = re.search(r"several contacts unstable, .*reduce it to ([^ ,]+),", output)
+    if limit:
+        return f"stopped {gas.CONTACT_TIME / float(limit[1]):.1f}"
+    if code != 0:
+        raise RuntimeError(output[-1000:])
+    rows = re.findall(r"^ +\d+ +(\S+) +(\S+) *$", output, re.M)
+    return f"{sum(float(value) for value in rows[-1]):.0e}"
+
+
+def main():
+    words = measuring_program.words(
+        __doc__, ("--steps", {"type": float, "nargs": "+", "default": [3.3, 4, 5, 6, 8, 10, 12], "metavar": "N",
+                              "help": "steps in a contact time"}))
+    progress = Progress(len(CONTACTS) * sum(words.steps))
+    print("restitution  friction" + "".join(f"{f't_c/{n:g}':>14s}" for n in words.steps))
+    with engine.temporary_folder() as folder:
+        for restitution, friction in CONTACTS:
+            cells = []
+            for division in words.steps:
+                cells.append(f"{cell(folder, restitution, friction, division):>14s}")
+                progress.add(division)
+            print(f"\r{restitution:11g}{friction:10g}" + "".join(cells), flush=True)
+
+
+if __name__ == "__main__":
+    main()
