@@ -191,6 +191,7 @@ double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, do
     give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
            return Cohesion::mixed(parameters_(i, i), parameters_(j, j));
          }));
+  require_computable(lmp, here, scheme_, parameters_(i, j).contact);
   if (note_range(i, j)) has_other_ranges_ = true;
   const Parameters scaled = cohesion_.scaled(lmp, here, parameters_(i, j));
   laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));

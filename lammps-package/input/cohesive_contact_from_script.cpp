@@ -20,6 +20,23 @@ void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const Conta
   });
 }
 
+void LAMMPS_NS::set_normal_law(ContactParameters& p, const char* law, const double* values) {
+  struct NormalLawName {
+    const char* name;
+    void (*set)(ContactParameters&, double, double);
+  };
+  static constexpr std::array laws{NormalLawName{"hertz", &cohesion::contact::set_hertz}};
+  cohesion::find_by_name(laws, "normal", law).set(p, values[0], values[1]);
+}
+
+void LAMMPS_NS::require_computable(LAMMPS* lmp, const std::string& where, Scheme scheme,
+                                   const ContactParameters& p) {
+  if (scheme == Scheme::sampled && p.is_hertz())
+    lmp->error->all(FLERR, where +
+                               ": scheme sampled has linear springs only: use scheme exact with "
+                               "'normal hertz E nu', or give 'stiffness K'");
+}
+
 namespace {
 
 struct SchemeName {

@@ -43,18 +43,22 @@ std::string setting_names() {
   return all;
 }
 
+/// `normal hertz E nu`, in place of a linear spring. Throws InvalidParameter for another law.
+void set_normal_law(cohesion::contact::ContactParameters&, const char* law, const double* values);
+
 template <class Parameters>
 struct ContactKeyword {
   const char* name;
-  int values;  ///< at most 2
+  int values;  ///< at most 3
   /// Throws InvalidParameter for values that it cannot take.
   void (*set)(Parameters&, const double*);
-  /// In place of set() where the value is a word; throws alike.
-  void (*set_word)(Parameters&, const char*) = nullptr;
+  /// In place of set() where the first value is a word; throws alike.
+  void (*set_named)(Parameters&, const char* word, const double*) = nullptr;
 };
 
-/// The keywords of a contact, `stiffness K [restitution e | damping eta] [tangential ratio]
-/// [tangential_damping ratio] [friction mu] [rolling_friction mu_R]`, and those of the cohesion.
+/// The keywords of a contact, `stiffness K | normal hertz E nu [restitution e | damping eta]
+/// [tangential ratio] [tangential_damping ratio] [friction mu] [rolling_friction mu_R]`, and those
+/// of the cohesion.
 template <class Cohesion>
 const auto& contact_keywords() {
   using P = typename Cohesion::Parameters;
@@ -62,6 +66,8 @@ const auto& contact_keywords() {
   static const std::vector<Keyword> all = [] {
     std::vector<Keyword> rows{
         {"stiffness", 1, [](P& p, const double* v) { p.contact.stiffness = v[0]; }},
+        {"normal", 3, nullptr,
+         [](P& p, const char* law, const double* v) { set_normal_law(p.contact, law, v); }},
         {"restitution", 1, [](P& p, const double* v) { p.contact.restitution = v[0]; }},
         {"damping", 1, [](P& p, const double* v) { p.contact.damping = v[0]; }},
         {"tangential", 1, [](P& p, const double* v) { p.contact.tangential_ratio = v[0]; }},
@@ -97,6 +103,9 @@ std::string contact_keyword_names() {
 /// Stops LAMMPS at a contact that cannot be right; `given` are the keywords that were there.
 void require_valid(LAMMPS*, const std::string& where, const cohesion::contact::ContactParameters&,
                    const GivenKeywords& given);
+/// Stops LAMMPS where the scheme cannot compute the contact.
+void require_computable(LAMMPS*, const std::string& where, Scheme,
+                        const cohesion::contact::ContactParameters&);
 
 /// Reads keywords of these rows from arg[first] on and notes them; `where` stands in front of every
 /// message. Stops LAMMPS at a keyword or value that cannot be right.
@@ -110,14 +119,13 @@ void read_keywords(LAMMPS* lmp, const std::string& where, const Keywords& keywor
       lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
                                  std::to_string(keyword.values) + " value(s)");
     given.note(keyword.values, arg + i);
-    if (keyword.set_word) {
-      from_script(lmp, where, [&] { return keyword.set_word(p, arg[i + 1]); });
-    } else {
-      double values[2] = {0.0, 0.0};
-      for (int k = 0; k < keyword.values; k++)
-        values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
-      from_script(lmp, where, [&] { return keyword.set(p, values); });
-    }
+    const int words = keyword.set_named ? 1 : 0;
+    double values[2] = {0.0, 0.0};
+    for (int k = words; k < keyword.values; k++)
+      values[k - words] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
+    from_script(lmp, where, [&] {
+      return words ? keyword.set_named(p, arg[i + 1], values) : keyword.set(p, values);
+    });
     i += 1 + keyword.values;
   }
 }

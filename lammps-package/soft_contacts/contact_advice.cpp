@@ -150,18 +150,8 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
                                           const cohesion::contact::Adhesion& adhesion) {
   AdvisedContact c{name, i, j, {}, adhesion};
   if (!c.moves()) return c;
-  const auto spring = cohesion::contact::normal_contact(contact, c.reduced_mass());
-  const auto tangential = cohesion::contact::tangential_contact(contact, spring);
-  c.springs.stiffness = spring.stiffness();
-  c.springs.damping = spring.damping();
-  if (contact.friction > 0.0) {
-    c.springs.tangential_stiffness = tangential.stiffness;
-    c.springs.tangential_damping = tangential.damping;
-  }
-  if (contact.rolling_friction > 0.0) {
-    c.springs.rolling_stiffness = tangential.stiffness;
-    c.springs.rolling_damping = tangential.damping;
-  }
+  c.springs =
+      advice::springs_of(contact, 1.0 / (1.0 / i.radius + 1.0 / j.radius), c.reduced_mass());
   return c;
 }
 

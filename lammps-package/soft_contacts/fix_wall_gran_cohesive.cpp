@@ -106,6 +106,7 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
     error->all(FLERR, where +
                           ": rolling_friction does not know how fast a cylinder turns, and would "
                           "resist what rolls along with it: take it away, or shear along z only");
+  require_computable(lmp, where, scheme, parameters.contact);
   given_parameters = parameters;
   parameters = attraction.scaled(lmp, where, parameters);
   law = attraction.law(lmp, where, parameters);

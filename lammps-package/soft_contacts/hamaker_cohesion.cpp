@@ -15,7 +15,7 @@ std::vector<ContactKeyword<Parameters>> HamakerCohesion::keywords() {
   auto rows = hamaker_keywords<P, &hamaker_of>();
   rows.push_back(
       {"material_stiffness", 1, [](P& p, const double* v) { p.material.stiffness = v[0]; }});
-  rows.push_back({"material_keep", 1, nullptr, [](P& p, const char* word) {
+  rows.push_back({"material_keep", 1, nullptr, [](P& p, const char* word, const double*) {
                     p.material.keep =
                         cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
                   }});
@@ -32,6 +32,11 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
     lmp->error->all(FLERR, where +
                                ": keyword 'material_keep' needs 'material_stiffness K_m', the "
                                "stiffness of the material");
+  if (given.has("material_stiffness") && p.contact.is_hertz())
+    lmp->error->all(FLERR,
+                    where +
+                        ": material_stiffness is of linear springs; with 'normal hertz' give "
+                        "E of the contact, and hamaker and cutoff as they are to act");
   from_script(lmp, where, [&] {
     cohesion::hamaker::require_valid(p.hamaker);
     cohesion::require_non_negative("material_stiffness", p.material.stiffness);

@@ -25,7 +25,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr std::array SETTINGS{"form"};
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 7;
+  static constexpr int RESTART_LAYOUT = 8;
   static constexpr bool BINDS_IN_RANGE = true;
 
   /// What a script says about the contact of two materials.

@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/square_well";
-  static constexpr int RESTART_LAYOUT = 5;
+  static constexpr int RESTART_LAYOUT = 6;
 
   using Solver = cohesion::contact_solver::SquareWellSolver;
   using Sampled = cohesion::sampled_contact::SampledWell;

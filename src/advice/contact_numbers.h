@@ -28,6 +28,7 @@ struct PairParameters {
   double rolling_stiffness = 0.0;     ///< K_r, [force/length]; 0 without rolling friction
   double tangential_damping = 0.0;    ///< eta_t, [mass/time]
   double rolling_damping = 0.0;       ///< eta_r, [mass/time]
+  bool is_linear = true;              ///< else the springs stand for Hertz's of an impact
 };
 
 /// The numbers of one type pair that decide whether a simulation can be right.
@@ -92,6 +93,8 @@ class ContactNumbers {
   /// t_c, [time]; infinite at and beyond critical damping.
   double contact_time() const { return contact_.spring().contact_time(); }
   double steps_per_contact() const { return pi / frequency() / p_.dt; }
+  /// The same of the normal spring alone.
+  double steps_per_normal_contact() const { return pi / w0_ / p_.dt; }
   /// Largest stable step of leapfrog, [time].
   double stable_step() const { return 2.0 / (std::hypot(1.0, zeta_) + zeta_) / w0_; }
   /// Largest step [time] in which the discrete springs and dashpots of the exact scheme stay steady
@@ -100,13 +103,18 @@ class ContactNumbers {
     double low = 0.0, high = pi / w0_;
     for (int k = 0; k < 50; k++) {
       const double dt = 0.5 * (low + high);
-      const auto phase = [dt](double stiffness, double damping, double inverse_mass) {
-        return contact_solver::squared_phase(
-            contact_solver::spring_on_grid(stiffness, damping, 1.0 / inverse_mass, dt), dt,
-            inverse_mass);
+      const auto phase = [&](double stiffness, double damping, double inverse_mass) {
+        const contact_solver::GridSpring spring =
+            p_.is_linear
+                ? contact_solver::spring_on_grid(stiffness, damping, 1.0 / inverse_mass, dt)
+                : contact_solver::GridSpring{stiffness, damping};
+        return contact_solver::squared_phase(spring, dt, inverse_mass);
       };
+      // At its largest overlap, Hertz's spring has dF/dx = 3/2 F/x and the dashpot c, where 4/5 F/x
+      // and 4/5 c stand for them (power_law_spring.h).
+      const double tangent = p_.is_linear ? 1.0 : 1.875, dashpot = p_.is_linear ? 1.0 : 1.25;
       const bool steady = packing.is_steady(
-          phase(p_.stiffness, p_.damping, 1.0 / pair_mass(p_)),
+          phase(tangent * p_.stiffness, dashpot * p_.damping, 1.0 / pair_mass(p_)),
           phase(p_.tangential_stiffness, p_.tangential_damping, inverse_sliding_mass()),
           phase(p_.rolling_stiffness, p_.rolling_damping, inverse_rolling_mass()));
       (steady ? low : high) = dt;

@@ -94,7 +94,8 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
       linear_springs(c.springs, c.reduced_mass(), c.adhesion.force, touching_speed(run, c));
   return ContactNumbers({c.i.radius, c.j.radius, c.i.mass, c.j.mass, s.stiffness, s.damping,
                          c.adhesion, speed, run.dt, run.gravity, s.tangential_stiffness,
-                         s.rolling_stiffness, s.tangential_damping, s.rolling_damping});
+                         s.rolling_stiffness, s.tangential_damping, s.rolling_damping,
+                         c.springs.exponent == 1.0});
 }
 
 /// Approach speed below which a pair sticks, [length/time]. Where the spring is not linear: of the
@@ -125,12 +126,13 @@ inline std::string name(const AdvisedContact& c) {
   return "  " + c.name + std::string(c.name.size() < 10 ? 10 - c.name.size() : 0, ' ');
 }
 
-inline std::string row(const AdvisedContact& c, const ContactNumbers& n, double escape) {
+inline std::string row(const AdvisedContact& c, const ContactNumbers& n, const SchemeLimits& limits,
+                       double escape) {
   const bool attracts = n.parameters().adhesion.force > 0.0;
   const std::string ratio =
       attracts ? number("%.3g", n.well_energy() / n.spring_adhesion_energy()) : "none";
-  return name(c) + number("%9.3g", n.parameters().speed) + number("%11.4g", n.steps_per_contact()) +
-         number("%14.3g", n.steps_in_cutoff()) +
+  return name(c) + number("%9.3g", n.parameters().speed) +
+         number("%11.4g", contact_steps_of(n, limits)) + number("%14.3g", n.steps_in_cutoff()) +
          number("%10.2g", n.static_overlap_over_diameter()) +
          number("%10.2g", n.impact_overlap_over_diameter()) + number("%10.3g", n.bond_number()) +
          number("%10.3g", escape) + std::string(14 - std::min<std::size_t>(14, ratio.size()), ' ') +
@@ -202,7 +204,7 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
-    report.table += detail::row(c, n, escape_velocity(c, run));
+    report.table += detail::row(c, n, limits, escape_velocity(c, run));
     std::vector<Verdict> verdicts = advise(n, limits);
     if (!limits.samples_force && run.crowd != Crowd::pair)
       verdicts.push_back(detail::steadiness(n, run.crowd == Crowd::several, run.plane));

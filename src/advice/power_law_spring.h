@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_parameters.h"
 #include "validation.h"
 
 namespace cohesion::advice {
@@ -23,6 +24,38 @@ struct ContactSprings {
   double exponent = 1.0;              ///< p, [1]
   double overlap = 0.0;               ///< x at which they are this; read unless p = 1, [length]
 };
+
+/// Of a contact: where its spring is not linear, at a small overlap. reduced_radius [length]: R* of
+/// two spheres, R beside a wall; mu [mass].
+inline ContactSprings springs_of(const contact::ContactParameters& p, double reduced_radius,
+                                 double reduced_mass) {
+  constexpr double small = 1e-4;
+  const contact::NormalLaw law = contact::normal_law(p, reduced_radius, reduced_mass);
+  ContactSprings s{};
+  contact::TangentialParameters tangential{};
+  if (const auto* linear = std::get_if<contact::LinearSpringDashpot>(&law)) {
+    s.stiffness = linear->stiffness();
+    s.damping = linear->damping();
+    s.exponent = 1.0;
+    tangential = contact::tangential_contact(p, *linear);
+  } else {
+    s.overlap = small * reduced_radius;
+    s.exponent = 1.5;
+    const contact::LawPoint at = std::get<contact::HertzSpringDashpot>(law).at(s.overlap);
+    s.stiffness = at.force / s.overlap;
+    s.damping = at.damping;
+    tangential = contact::tangential_contact(p, at);
+  }
+  if (p.friction > 0.0) {
+    s.tangential_stiffness = tangential.stiffness;
+    s.tangential_damping = tangential.damping;
+  }
+  if (p.rolling_friction > 0.0) {
+    s.rolling_stiffness = tangential.stiffness;
+    s.rolling_damping = tangential.damping;
+  }
+  return s;
+}
 
 /// Largest overlap [length], without dashpot, of a pair of reduced mass mu [mass] that touches at
 /// `speed` u [length/time] while `attraction` F_ad [force] pulls: c x^(p+1)/(p+1) = F_ad x + mu

@@ -48,12 +48,13 @@ struct ContactHistory {
   /// to the true velocity stays.
   ContactHistory moved(bool into_range) const {
     ContactHistory now;
-    now.normal.velocity_offset = normal.velocity_offset;
+    if (normal.phase != ContactState::persistent)
+      now.normal.velocity_offset = normal.velocity_offset;
     if (into_range) {
       now.normal.phase = ContactState::unknown;
       now.sliding = sliding;
       now.rolling = rolling;
-    } else if (normal.velocity_offset != 0.0) {
+    } else if (now.normal.velocity_offset != 0.0) {
       now.normal.phase = ContactState::left;
     }
     return now;

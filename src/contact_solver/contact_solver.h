@@ -6,46 +6,39 @@
 #include <limits>
 
 #include "contact/adhesion.h"
-#include "contact/linear_spring_dashpot.h"
+#include "contact/normal_law.h"
 #include "contact_solver/contact_state.h"
-#include "contact_solver/damped_oscillator.h"
 #include "contact_solver/energy_account.h"
 #include "contact_solver/first_root.h"
 #include "contact_solver/flight.h"
 #include "contact_solver/normal_motion.h"
-#include "contact_solver/persistent_force.h"
 
 namespace cohesion::contact_solver {
 
-/// Normal motion of one contact with a linear spring-dashpot and an adhesion, one force a step:
-/// positions x_n at the time levels are exact samples of the motion, and staggered velocities are
-/// (x_(n+1) - x_n)/dt.
+/// Normal motion of one contact with a spring, a dashpot and an adhesion, one force a step:
+/// positions x_n at the time levels are samples of the motion, exact ones with a linear spring, and
+/// staggered velocities are (x_(n+1) - x_n)/dt.
 ///
-/// In a persistent contact, the motion about its equilibrium x_e obeys
-///
-///   x_(n+1) = 2 c x_n - d x_(n-1)    c = exp(-alpha dt) cos(q dt)    d = exp(-2 alpha dt)
-///
-/// so that one discrete force of the usual form is exact at any step (persistent_force.h).
+/// A persistent contact has a discrete force of its law (linear_contact.h, integrated_contact.h).
 ///
 /// A step in which the pair enters or leaves the range, is captured or turns round in the gap is
-/// resolved: integrated in closed form from the true state at n under a constant external
-/// acceleration, and the force is the one that puts the pair where it is at n+1. Only the true
-/// velocity there is not the staggered one, and its offset is stored. The external acceleration is
-/// that of the step before; the energy account (energy_account.h) corrects what this changes of
-/// the energy.
+/// resolved: integrated from the true state at n under a constant external acceleration, in
+/// closed form but for contacts whose law has none, and the force is the one that puts the pair
+/// where it is at n+1. Only the true velocity there is not the staggered one, and its offset is
+/// stored. The external acceleration is that of the step before; the energy account
+/// (energy_account.h) corrects what this changes of the energy.
 ///
-/// Forces are central at the time levels: angular momentum is kept to rounding. In a persistent
-/// contact a load F gives the overlap F/K' in the place of F/K, and can be borne up to (K'/K) F_ad.
-/// A contact with an adhesion that bears more is resolved within the step, so that it parts at
-/// F_ad.
+/// Forces are central at the time levels: angular momentum is kept to rounding. A contact with an
+/// adhesion that bears more than a persistent one can is resolved within the step, so that it parts
+/// at F_ad.
 ///
 /// Source: derived here, see docs/theory/exact_contacts.md.
 class ContactSolver {
  public:
   /// contact_distance [length]: of the centres at touch, or the radius next to a wall; step [time].
-  ContactSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+  ContactSolver(const contact::NormalLaw& law, const contact::Adhesion& adhesion,
                 double contact_distance, double step)
-      : ContactSolver(spring, adhesion, contact_distance, step, adhesion.cutoff, adhesion.cutoff) {}
+      : ContactSolver(law, adhesion, contact_distance, step, adhesion.cutoff, adhesion.cutoff) {}
   virtual ~ContactSolver() = default;
 
   double range() const { return range_; }
@@ -54,8 +47,8 @@ class ContactSolver {
   /// Distance up to which a pair comes into range, [length].
   double entry_distance() const { return contact_distance_ + entry_; }
   double step() const { return step_; }
-  /// K' and eta'.
-  const GridSpring& spring() const { return persistent_.spring(); }
+  /// What moves the pair in contact.
+  const ContactMotion& contact() const { return motion_.contact(); }
 
   /// Whether anything can happen to a pair in the step that begins here. `external`
   /// [length/time^2]: acceleration of the distance by other forces.
@@ -79,11 +72,16 @@ class ContactSolver {
   /// and nothing done, where that is not certain. The other forces are known from the motion.
   [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
                                                  double& repulsion) const {
-    const double load = (now.rate - state.last_rate) * inverse_step_ - state.force * inverse_mass_;
-    double force;
-    const double overlap = contact_distance_ - now.distance;
-    if (!persistent_.at(overlap, now.rate, load, force, repulsion)) return false;
-    go_on(now.rate, load - now.centrifugal, force, state);
+    const double load = load_of(now.rate, state);
+    PersistentStep step;
+    const ContactPoint point{contact_distance_ - now.distance, now.rate};
+    if (const auto* linear = std::get_if<LinearContact>(&contact())) {
+      if (!linear->advance_persistent(point, load, state, step)) return false;
+    } else if (!advance_integrated(now, point, load, state, step)) {
+      return false;
+    }
+    go_on(now.rate, load - now.centrifugal, step, state);
+    repulsion = step.repulsion;
     return true;
   }
 
@@ -106,7 +104,7 @@ class ContactSolver {
   /// The discrete force of spring and dashpot at a time level that a persistent contact has
   /// reached, [force].
   double repulsion(const StaggeredMotion& now) const {
-    return persistent_.repulsion(contact_distance_ - now.distance, now.mean_rate(step_));
+    return std::visit([&](const auto& c) { return c.repulsion(point(now)); }, contact());
   }
   /// The energy of spring and adhesion by the energy account, less that of their laws: staggered
   /// velocities have another kinetic energy than the true motion, under a load the discrete spring
@@ -115,10 +113,8 @@ class ContactSolver {
   double account_energy(const StaggeredMotion& now, double external, double force,
                         const ContactState& state) const {
     if (state.is_outside()) return -account_.work(force, now);
-    const double r = account_.up_to(now, state) +
-                     account_.exchanged(lasting_force(state), external, state) +
-                     account_.work(force, now);
-    return -r - stored(now, state.in_range());
+    return -account_up_to(now, external, state) - account_.work(force, now) -
+           stored(now, state.in_range());
   }
   double exchanged(double external, const ContactState& state) const {
     return state.is_outside() ? 0.0 : account_.exchanged(lasting_force(state), external, state);
@@ -126,9 +122,14 @@ class ContactSolver {
   /// What the dashpot has dissipated since the last time level, as far as it is known only now,
   /// [energy].
   double dissipated(const StaggeredMotion& now, const ContactState& state) const {
-    if (state.phase != ContactState::persistent) return account_.dissipated_late(now, state);
-    const double rate = now.mean_rate(step_);
-    return account_.dissipated(state.last_rate, rate) + persistent_.damped(state.last_rate, rate);
+    return std::visit(
+        [&](const auto& c) {
+          return state.phase == ContactState::persistent
+                     ? c.dissipation(point(now), now, state,
+                                     adhesion_energy(contact_distance_ - now.distance))
+                     : c.late_dissipation(now, state);
+        },
+        contact());
   }
 
   /// Of a contact with friction: EnergyAccount.
@@ -140,19 +141,17 @@ class ContactSolver {
  protected:
   /// range [length]: gap up to which a pair is inside, the adhesion's or that of a derived law;
   /// entry [length]: gap at which it comes inside.
-  ContactSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+  ContactSolver(const contact::NormalLaw& law, const contact::Adhesion& adhesion,
                 double contact_distance, double step, double range, double entry)
-      : motion_(spring, adhesion, step),
-        persistent_(spring, adhesion.force, step),
+      : motion_(law, adhesion, step),
         contact_distance_(contact_distance),
         range_(range),
         entry_(entry),
-        reduced_mass_(spring.reduced_mass()),
+        reduced_mass_(contact::reduced_mass(law)),
         step_(step),
         inverse_step_(1.0 / step),
-        inverse_mass_(1.0 / spring.reduced_mass()),
-        account_(contact_distance, reduced_mass_, persistent_.spring(), persistent_.attraction(),
-                 persistent_.oscillator(), step) {}
+        inverse_mass_(1.0 / reduced_mass_),
+        account_(reduced_mass_, step) {}
 
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_segments = 100;
@@ -173,10 +172,8 @@ class ContactSolver {
     Flight now{at.distance, first ? at.rate : true_rate(at, external, before), at.sideways};
     const Flight start = now;
     const double load = outward(start, external);
-    const double account = first || stands
-                               ? EnergyAccount::at_start(stored(at, in_range))
-                               : account_.up_to(at, before) +
-                                     account_.exchanged(lasting_force(before), external, before);
+    const double account = first || stands ? EnergyAccount::at_start(stored(at, in_range))
+                                           : account_up_to(at, external, before);
     const bool touches = in_range && stays_in_contact(now, load, step.normal);
     const bool event = !touches && move(now, external, in_range, step.normal);
     const bool flies = !touches && !event;
@@ -207,7 +204,11 @@ class ContactSolver {
     state.force_before = lasting_force(before);
     state.external_before = external;
     state.contact_time = step.normal.contact_time;
-    step.dissipated = account_.resolved(step.normal.dissipated, state.contact_time, staggered);
+    step.dissipated = std::visit(
+        [&](const auto& c) {
+          return c.early_dissipation(step.normal.dissipated, state.contact_time, staggered);
+        },
+        contact());
     state.account = account +
                     (first ? account_.work_of_first_force(step.force, at, mean)
                            : account_.work(step.force, at)) +
@@ -273,8 +274,7 @@ class ContactSolver {
   double outward(const Flight& now, double external) const { return turning(now) + external; }
   bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    if (!motion_.advance_persistent(s, step_, persistent_.resolved_load(load), record))
-      return false;
+    if (!motion_.advance_whole_step(s, load, record)) return false;
     put(now, s);
     return true;
   }
@@ -289,9 +289,7 @@ class ContactSolver {
   double advance_in_range(Flight& now, double time, double external, bool& in_range,
                           NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    const double load = outward(now, external);
-    const double taken =
-        motion_.advance(s, time, {load, persistent_.resolved_load(load)}, in_range, record);
+    const double taken = motion_.advance(s, time, outward(now, external), in_range, record);
     put(now, s);
     return taken;
   }
@@ -342,14 +340,17 @@ class ContactSolver {
       step.force = state.force;
     } else {
       const double load = outward({now.distance, now.rate, now.sideways}, external);
-      const double rate = now.mean_rate(step_);
-      const double overlap = contact_distance_ - now.distance;
-      if (!persistent_.at(overlap, rate, load, step.force, step.repulsion)) return false;
-      const double account = account_.exchanged(state.force, external, state) +
-                             account_.up_to(now, state) + account_.work(step.force, now) +
-                             account_.stored(now);
-      go_on(rate, external, step.force, state);
-      state.account = account;
+      const ContactPoint here = point(now);
+      PersistentStep first;
+      const bool begins = std::visit(
+          [&](const auto& c) { return c.begin_persistent(here, load, now, state, first); },
+          contact());
+      if (!begins) return false;
+      first.account += account_up_to(now, external, state) - state.account -
+                       account_.exchanged(state.force, external, state);
+      step.force = first.force;
+      step.repulsion = first.repulsion;
+      go_on(here.rate, external, first, state);
     }
     step.normal.contact_time = step_;
     step.normal.repulsion_impulse = step_ * step.repulsion;
@@ -357,15 +358,28 @@ class ContactSolver {
     return true;
   }
 
-  [[gnu::always_inline]] void go_on(double rate, double external, double force,
+  /// What the other forces and the turning do to the distance of a persistent contact.
+  double load_of(double mean_rate, const ContactState& state) const {
+    return (mean_rate - state.last_rate) * inverse_step_ - state.force * inverse_mass_;
+  }
+  /// advance_persistent() of a law without a closed form.
+  [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, const ContactPoint& point,
+                                            double load, const ContactState& state,
+                                            PersistentStep& step) const {
+    const auto& contact =
+        std::get<IntegratedContact<contact::HertzSpringDashpot>>(motion_.contact());
+    return contact.advance_persistent(point, load, now.centrifugal, state,
+                                      adhesion_energy(point.overlap), step);
+  }
+
+  [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& step,
                                     ContactState& state) const {
-    state.account += account_.dissipated(state.last_rate, rate) +
-                     account_.exchanged(state.force, external, state);
+    state.account += step.account + account_.exchanged(state.force, external, state);
     state.phase = ContactState::persistent;
-    state.velocity_offset = 0.0;
+    state.velocity_offset = step.true_rate;
     state.last_rate = rate;
     state.force_before = state.force;
-    state.force = force;
+    state.force = step.force;
     state.external_before = external;
     state.contact_time = step_;
   }
@@ -382,18 +396,40 @@ class ContactSolver {
   }
 
   /// The true rate of the distance at the time level: the staggered one, the external acceleration
-  /// for half a step and the stored offset; in a persistent contact the closed form through the
-  /// last two positions.
+  /// for half a step and the stored offset; in a persistent contact by its law.
   double true_rate(const StaggeredMotion& now, double external, const ContactState& state) const {
     if (state.phase != ContactState::persistent)
       return now.rate + state.velocity_offset + 0.5 * step_ * external;
-    const double before = std::hypot(now.distance - step_ * now.rate, step_ * now.sideways);
-    return persistent_.true_rate(contact_distance_ - before, contact_distance_ - now.distance,
-                                 outward({now.distance, now.rate, now.sideways}, external));
+    const double load = outward({now.distance, now.rate, now.sideways}, external);
+    const ContactPoint here = point(now);
+    return std::visit(
+        [&](const auto& c) {
+          return c.true_rate(here, now, load, state, adhesion_energy(here.overlap));
+        },
+        contact());
+  }
+
+  ContactPoint point(const StaggeredMotion& now) const {
+    return {contact_distance_ - now.distance, now.mean_rate(step_)};
+  }
+
+  /// R up to this time level without the work of the force that begins here, which is not known
+  /// yet.
+  double account_up_to(const StaggeredMotion& now, double external,
+                       const ContactState& state) const {
+    const double exchanged = account_.exchanged(lasting_force(state), external, state);
+    const ContactPoint here = point(now);
+    return exchanged + std::visit(
+                           [&](const auto& c) {
+                             return state.phase == ContactState::persistent
+                                        ? c.account(here, now, state, adhesion_energy(here.overlap))
+                                        : state.account + c.late_dissipation(now, state) +
+                                              account_.work_of_last(state.force, now);
+                           },
+                           contact());
   }
 
   NormalMotion motion_;
-  PersistentForce persistent_;
   double contact_distance_;
   double range_;
   double entry_;

@@ -1,42 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
-#include "contact_solver/normal_motion.h"
+#include "contact_solver/motion_along_normal.h"
 
 namespace cohesion::contact_solver {
-
-/// A pair along its normal at the time level n, as engines know it when they compute forces:
-/// positions at n, velocities at n - 1/2. Next to a wall `distance` is from the wall.
-struct StaggeredMotion {
-  double distance;  ///< of the centres, [length]
-  double rate;      ///< of the distance, along the normal at n, [length/time]
-  double sideways;  ///< speed across the normal, 0 next to a wall, [length/time]
-
-  /// Mean rate of the distance in the last step, of length `step` [time]; the normal turned in it.
-  double mean_rate(double step) const { return rate - 0.5 * step * sideways * sideways / distance; }
-  /// Whether a pair without a stored state stands nearer than `edge` [length] without having moved
-  /// there in the last step, of length `step` [time].
-  bool stands_within(double edge, double step) const {
-    return distance < edge && std::hypot(distance - step * rate, step * sideways) < edge;
-  }
-};
-
-/// The same as a persistent contact sees it: how its distance has changed in the last step.
-struct DistanceMotion {
-  double distance;     ///< [length]
-  double rate;         ///< mean over the last step, [length/time]
-  double centrifugal;  ///< acceleration of the distance by turning, [length/time^2]
-
-  /// `inverse` [1/length]: over the distance; rate, speed_squared: of the staggered velocity, along
-  /// the normal and all of it.
-  static DistanceMotion of_pair(double distance, double inverse, double rate, double speed_squared,
-                                double step) {
-    const double centrifugal = (speed_squared - rate * rate) * inverse;
-    return {distance, rate - 0.5 * step * centrifugal, centrifugal};
-  }
-};
 
 /// What ContactSolver stores of a contact from one time level to the next.
 struct ContactState {
@@ -52,7 +19,8 @@ struct ContactState {
   };
   Phase phase = outside;
   /// True rate of the distance at the time level less the staggered one and half a step of the
-  /// external acceleration, after a resolved step, [length/time].
+  /// external acceleration, after a resolved step; in a persistent contact the true rate at the
+  /// last time level, where its law needs it, [length/time].
   double velocity_offset = 0.0;
   double last_rate = 0.0;        ///< mean_rate() at the last time level, [length/time]
   double force = 0.0;            ///< of the last step, away from the partner, [force]
@@ -75,6 +43,7 @@ struct ContactState {
   }
   /// store() of a contact that was persistent in the last step, too.
   [[gnu::always_inline]] void store_persistent(double* values) const {
+    values[1] = velocity_offset;
     values[2] = last_rate;
     values[3] = force;
     values[4] = force_before;
@@ -106,6 +75,15 @@ struct ContactState {
   bool in_contact() const { return phase == persistent || phase == touching; }
   /// Whether position and staggered velocity say all about it.
   bool has_nothing_pending() const { return is_outside() || phase == inside; }
+};
+
+/// What a persistent contact does at a time level.
+struct PersistentStep {
+  double force;      ///< away from the partner, [force]
+  double repulsion;  ///< the part of spring and dashpot, [force]
+  double account;    ///< by what its energy account changes but for exchanged(), [energy]
+  /// Of the distance, where the law's account needs it, [length/time].
+  double true_rate = 0.0;
 };
 
 /// What a contact does from one time level to the next.

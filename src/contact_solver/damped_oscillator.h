@@ -5,13 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace cohesion::contact_solver {
+#include "contact_solver/motion_along_normal.h"
 
-/// Overlap x [length] and its rate v [length/time].
-struct Overlap {
-  double x;
-  double v;
-};
+namespace cohesion::contact_solver {
 
 /// Spring and dashpot whose force at grid points, from the position there and the velocity of the
 /// half step before, makes a particle on the grid follow a damped oscillator exactly.

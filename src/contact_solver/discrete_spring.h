@@ -28,6 +28,14 @@ class DiscreteSpring {
         step_(step),
         inverse_mass_(inverse_mass) {}
 
+  /// One whose stiffness changes from step to step: spring and dashpot act at the time level as
+  /// Verlet's scheme has them, and need no closed form.
+  static DiscreteSpring at_time_level(const contact::TangentialParameters& p, double step,
+                                      double inverse_mass) {
+    const double part = 1.0 / (1.0 + 0.5 * p.damping * step * inverse_mass);
+    return {p, {part * p.stiffness, part * p.damping}, step, inverse_mass};
+  }
+
   /// Impulse at the time level of a persistent contact. `rate` [length/time]: staggered velocity of
   /// the surfaces; repulsion [force]: of normal spring and dashpot; persisted: the contact was
   /// persistent in the last step, too; after a resolved step half of its impulse is pending. Sets
@@ -110,6 +118,15 @@ class DiscreteSpring {
   bool is_present() const { return friction_ > 0.0; }
 
  private:
+  DiscreteSpring(const contact::TangentialParameters& p, const GridSpring& constants, double step,
+                 double inverse_mass)
+      : law_(p),
+        constants_(constants),
+        ends_{constants, constants},
+        friction_(p.friction),
+        step_(step),
+        inverse_mass_(inverse_mass) {}
+
   static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
     return -spring.stiffness * s - spring.damping * rate;
   }

@@ -9,15 +9,16 @@
 #include "contact_solver/contact_bodies.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_solver.h"
-#include "contact_solver/discrete_spring.h"
+#include "contact_solver/contact_spring.h"
 #include "contact_solver/square_well_solver.h"
 
 namespace cohesion::contact_solver {
 
 /// A contact of two spheres, or of a sphere and a wall: the normal motion by its solver, and
-/// springs, dashpots and sliders of friction and of rolling friction. In a persistent contact these
-/// are discrete springs (DiscreteSpring). In a resolved step the midpoint rule integrates them over
-/// the time in contact, and half of their impulse acts at n, half at n+1.
+/// springs, dashpots and sliders of friction and of rolling friction (contact_spring.h). In a
+/// persistent contact these are discrete springs (discrete_spring.h). In a resolved step the
+/// midpoint rule integrates them over the time in contact, and half of their impulse acts at n,
+/// half at n+1.
 ///
 /// Momentum and angular momentum are kept to rounding. Pairs of equal bodies can share an object:
 /// everything that does not change from step to step is worked out once.
@@ -35,11 +36,12 @@ class ExactContact {
                const Body& i, const Body& j, double step)
       : bodies_(i, j),
         step_(step),
-        normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
-        solver_(normal_contact_, attraction, bodies_.distance(), step),
-        sliding_(contact::tangential_contact(parameters, normal_contact_), step,
+        normal_law_(
+            contact::normal_law(parameters, bodies_.rolling_radius(), bodies_.reduced_mass())),
+        solver_(normal_law_, attraction, bodies_.distance(), step),
+        sliding_(ContactSpring::Kind::sliding, parameters, normal_law_, step,
                  bodies_.inverse_sliding_mass()),
-        rolling_(contact::rolling_contact(parameters, normal_contact_), step,
+        rolling_(ContactSpring::Kind::rolling, parameters, normal_law_, step,
                  bodies_.inverse_rolling_mass()),
         pull_(attraction.force) {
     if (sliding_.is_present() || rolling_.is_present()) solver_.leave_out_exchange();
@@ -104,14 +106,15 @@ class ExactContact {
     if constexpr (SIZE >= ContactHistory::with_friction) {
       ContactBodies::Touch touch(bodies_, s, inverse);
       Vector3 across = v - (inverse * rate) * s;
+      const double overlap = bodies_.distance() - square * inverse;
       step.friction = persistent_impulse(
           sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), repulsion,
-          values + ContactHistory::normal_only);
+          overlap, values + ContactHistory::normal_only, normal);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             persistent_impulse(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j),
-                               repulsion, values + ContactHistory::with_friction),
+                               repulsion, overlap, values + ContactHistory::with_friction, normal),
             step.action);
     }
     return true;
@@ -143,6 +146,7 @@ class ExactContact {
                    normal,
                    first ? 0.0 : solver_.offset(at, external, before),
                    bodies_.distance() - at.distance,
+                   bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
                    solver_.repulsion(at),
                    overlap_at_end(now, step.action.impulse)};
     if (energies) {
@@ -220,8 +224,10 @@ class ExactContact {
     const double distance = norm(separation), overlap = bodies_.distance() - distance;
     const bool stands = history.normal.phase == ContactState::unknown && is_in_range(distance);
     if (!history.normal.in_range() && !stands) return {};
-    return {solver_.spring_energy(overlap), sliding_.stored_energy(history.sliding.stretch),
-            rolling_.stored_energy(history.rolling.stretch), solver_.adhesion_energy(overlap)};
+    return {solver_.spring_energy(overlap),
+            sliding_.at(overlap).stored_energy(history.sliding.stretch),
+            rolling_.at(overlap).stored_energy(history.rolling.stretch),
+            solver_.adhesion_energy(overlap)};
   }
 
  private:
@@ -232,10 +238,21 @@ class ExactContact {
     const ContactStep& step;
     double offset;            ///< true rate at the time level less the staggered one, by itself
     double overlap;           ///< [length]
+    double overlap_before;    ///< at the time level before
     double repulsion_before;  ///< of a contact that was persistent so far, [force]
     double overlap_at_end;
 
     bool persisted() const { return before.phase == ContactState::persistent; }
+    /// The overlap that a spring has in the step that begins here, and had in the last one.
+    double overlap_in_step() const {
+      return after.phase == ContactState::persistent ? overlap : mean(overlap, overlap_at_end);
+    }
+    double overlap_in_last_step() const {
+      return persisted() ? overlap_before : mean(overlap_before, overlap);
+    }
+
+   private:
+    static double mean(double a, double b) { return 0.5 * (std::max(a, 0.0) + std::max(b, 0.0)); }
   };
   /// The energies of a spring: what is lost, and in the dashpot alone, before and after the time
   /// level.
@@ -251,15 +268,29 @@ class ExactContact {
     return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
   }
 
-  [[gnu::always_inline]] static Vector3 persistent_impulse(const DiscreteSpring& spring,
-                                                           const ContactBodies::Touch& touch,
-                                                           const Vector3& rate, double repulsion,
-                                                           double* values) {
+  [[gnu::always_inline]] Vector3 persistent_impulse(const ContactSpring& spring,
+                                                    const ContactBodies::Touch& touch,
+                                                    const Vector3& rate, double repulsion,
+                                                    double overlap, double* values,
+                                                    const ContactState& normal) const {
     DiscreteSpring::State state{vector(values), vector(values + 3)};
     bool slips;
-    Vector3 impulse = spring.advance_persistent(touch.plane(), rate, repulsion, true, state, slips);
+    Vector3 impulse = spring.stiffens() ? stiffening_impulse(spring, touch.plane(), rate, repulsion,
+                                                             overlap, normal, state)
+                                        : spring.constant().advance_persistent(
+                                              touch.plane(), rate, repulsion, true, state, slips);
     ContactHistory::store(state, values);
     return impulse;
+  }
+  [[gnu::noinline]] Vector3 stiffening_impulse(const ContactSpring& spring,
+                                               const contact::Plane& plane, const Vector3& rate,
+                                               double repulsion, double overlap,
+                                               const ContactState& normal,
+                                               DiscreteSpring::State& state) const {
+    bool slips;
+    state.stretch =
+        spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap) * state.stretch;
+    return spring.at(overlap).advance_persistent(plane, rate, repulsion, true, state, slips);
   }
 
   /// The overlap at the next time level, of the contact by itself.
@@ -281,10 +312,13 @@ class ExactContact {
 
   /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate
   /// by the other spring in the first half of a resolved step.
-  Vector3 advance(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
+  Vector3 advance(const ContactSpring& contact_spring, const ContactBodies::Touch& touch,
                   const Vector3& rate, const Vector3& by_other, const Normal& n,
                   DiscreteSpring::State& state, Spring* energies) const {
+    const double in_step = n.overlap_in_step(), in_last_step = n.overlap_in_last_step();
+    const DiscreteSpring spring = contact_spring.at(in_step);
     const DiscreteSpring::State last = state;
+    state.stretch = contact_spring.left_of_stretch(in_last_step, in_step) * state.stretch;
     state.impulse = touch.plane().turned_into(state.impulse);
     // What begins at a time level begins with the true velocity.
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
@@ -311,8 +345,9 @@ class ExactContact {
     if (energies) {
       energies->stored = spring.stored_energy(stretch);
       if (n.persisted()) {
-        energies->lost_before = spring.lost(rate, last.impulse, impulse,
-                                            spring.stored_energy(last.stretch) - energies->stored);
+        energies->lost_before = spring.lost(
+            rate, last.impulse, impulse,
+            contact_spring.at(in_last_step).stored_energy(last.stretch) - energies->stored);
         energies->damped_before =
             slips ? spring.damped(stretch - touch.plane().turned_into(last.stretch))
                   : energies->lost_before;
@@ -348,10 +383,10 @@ class ExactContact {
 
   ContactBodies bodies_;
   double step_;
-  contact::LinearSpringDashpot normal_contact_;
+  contact::NormalLaw normal_law_;
   Solver solver_;
-  DiscreteSpring sliding_;
-  DiscreteSpring rolling_;
+  ContactSpring sliding_;
+  ContactSpring rolling_;
   double pull_;
 };
 

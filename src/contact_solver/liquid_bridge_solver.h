@@ -7,18 +7,18 @@
 
 namespace cohesion::contact_solver {
 
-/// A liquid bridge around a linear spring-dashpot whose grid points are exact samples of the
+/// A liquid bridge around a contact whose grid points are exact samples of the
 /// motion: ContactSolver with an adhesion that forms where the surfaces touch, and in the gap a
 /// constant pull, half of which acts where a segment of the flight begins and half where it ends.
 class LiquidBridgeSolver final : public ContactSolver {
  public:
   /// `bridge`: force and, as cutoff, the gap of rupture; no tail. contact_distance [length]: of the
   /// centres at touch, or the radius beside a wall; step [time].
-  LiquidBridgeSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& bridge,
+  LiquidBridgeSolver(const contact::NormalLaw& law, const contact::Adhesion& bridge,
                      double contact_distance, double step)
-      : ContactSolver(spring, {bridge.force, 0.0, 0.0}, contact_distance, step, bridge.cutoff, 0.0),
+      : ContactSolver(law, {bridge.force, 0.0, 0.0}, contact_distance, step, bridge.cutoff, 0.0),
         force_(bridge.force),
-        pull_(bridge.force / spring.reduced_mass()) {}
+        pull_(bridge.force / contact::reduced_mass(law)) {}
 
   /// Of a pair that has its bridge, zero at touch, [energy].
   double adhesion_energy(double overlap) const override { return -force_ * overlap; }

@@ -5,20 +5,10 @@
 #include <cmath>
 
 #include "contact/adhesion.h"
-#include "contact/linear_spring_dashpot.h"
-#include "contact_solver/damped_oscillator.h"
+#include "contact_solver/contact_motion.h"
 #include "contact_solver/first_root.h"
 
 namespace cohesion::contact_solver {
-
-/// What happened to a pair's normal motion during a step.
-struct NormalRecord {
-  double contact_time = 0.0;       ///< time in contact, [time]
-  double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
-  double repulsion_at_end = 0.0;   ///< force of both where contact ended last, [force]
-  double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
-  bool unresolved = false;         ///< the step ended before its last phase was followed
-};
 
 /// Whether a pair that a load presses against the edge of its range, with the acceleration
 /// `outward` [length/time^2], and that comes back from there at `speed` [length/time], is at the
@@ -29,7 +19,8 @@ inline bool bounces_too_fast(double speed, double outward, double step) {
 
 /// Exact motion of the surfaces of one pair along their common normal: free flight outside the
 /// range of the adhesion (the caller's business: it depends on the geometry), constant force in the
-/// gap, spring-dashpot with constant force in contact. x is the overlap, negative in the gap.
+/// gap, spring and dashpot with constant force in contact (contact_motion.h). x is the overlap,
+/// negative in the gap.
 ///
 /// The tail is an edge of height E_tail: crossed inwards with a gain in speed, outwards with a
 /// loss, or, when the energy does not suffice, reflected (capture). An outward load L works on the
@@ -44,30 +35,20 @@ inline bool bounces_too_fast(double speed, double outward, double step) {
 ///
 /// so that a slow load parts a contact at F_ad, where B is 0.
 ///
-/// Source: contact as in damped_oscillator.h; gap and edge derived here, see
+/// Source: derived here, see
 /// docs/theory/exact_contacts.md.
 class NormalMotion {
  public:
   /// `step` [time]: the length of the steps that will be asked for most.
-  NormalMotion(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
-               double step)
-      : contact_(spring.stiffness() / spring.reduced_mass(),
-                 0.5 * spring.damping() / spring.reduced_mass()),
-        whole_step_(contact_.propagator(step)),
+  NormalMotion(const contact::NormalLaw& law, const contact::Adhesion& adhesion, double step)
+      : contact_(contact_motion(law, adhesion.force, step)),
         adhesion_(adhesion),
-        reduced_mass_(spring.reduced_mass()),
+        reduced_mass_(contact::reduced_mass(law)),
+        step_(step),
         pull_(adhesion.force / reduced_mass_),
         edge_(2.0 * adhesion.tail_energy / reduced_mass_) {}
 
-  /// An outward acceleration, [length/time^2].
-  struct Load {
-    Load(double acceleration) : Load(acceleration, acceleration) {}
-    Load(double across_the_gap, double within_contact)
-        : outward(across_the_gap), in_contact(within_contact) {}
-    double outward;     ///< in the gap and on the way through the tail
-    double in_contact;  ///< as it acts on the overlap
-  };
-
+  const ContactMotion& contact() const { return contact_; }
   double range() const { return adhesion_.cutoff; }
   double reduced_mass() const { return reduced_mass_; }
 
@@ -78,24 +59,19 @@ class NormalMotion {
     return {s.x, std::copysign(std::sqrt(s.v * s.v + gain), s.v)};
   }
 
-  /// Follows a contact that certainly lasts for all of `time`, as advance() does. Returns false,
+  /// Moves a contact that certainly lasts for the whole step, as advance() does. Returns false,
   /// and does nothing, where that is not certain.
-  bool advance_persistent(Overlap& s, double time, double outward, NormalRecord& record) const {
-    if (!(s.x > 0.0) || time != whole_step_.time) return false;
-    const double drive = pull_ - outward;
-    const Overlap end = contact_.after(whole_step_, s, drive);
-    if (!DampedOscillator::stays_positive(s, end)) return false;
-    record_contact(s, end, time, drive, record);
-    return true;
+  bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
+    return std::visit([&](const auto& c) { return c.advance_whole_step(s, outward, record); },
+                      contact_);
   }
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
-  /// until it left the range (`inside` is then false), or `time`. `load` is what pulls it apart, by
-  /// its turning and by other forces. Adds what happened to `record`.
-  double advance(Overlap& s, double time, const Load& load, bool& inside,
+  /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2]: what
+  /// pulls it apart, by its turning and by other forces. Adds what happened to `record`.
+  double advance(Overlap& s, double time, double outward, bool& inside,
                  NormalRecord& record) const {
-    const double outward = load.outward, drive = pull_ - outward;
-    const double drive_in_contact = pull_ - load.in_contact;
+    const double drive = pull_ - outward;
     double left = time;
     inside = true;
     for (int phases = 0; inside && left > 0.0; phases++) {
@@ -105,7 +81,8 @@ class NormalMotion {
       }
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
       if (touching)
-        left -= in_contact(s, left, drive_in_contact, record);
+        left -= std::visit([&](const auto& c) { return c.advance(s, left, outward, record); },
+                           contact_);
       else if (!is_leaving(s, outward))
         left -= in_gap(s, left, gap_around(s, outward));
       if (is_leaving(s, outward)) left -= leave(s, left, outward, inside, record);
@@ -115,7 +92,7 @@ class NormalMotion {
 
   /// Energy stored in the spring at overlap x, [energy].
   double spring_energy(double x) const {
-    return x > 0.0 ? 0.5 * reduced_mass_ * contact_.w0_squared() * x * x : 0.0;
+    return std::visit([x](const auto& c) { return c.spring_energy(x); }, contact_);
   }
 
   /// Energy of the adhesion of a pair that counts as inside at overlap x, zero far away, [energy].
@@ -177,36 +154,11 @@ class NormalMotion {
     return taken;
   }
 
-  double in_contact(Overlap& s, double time, double drive, NormalRecord& record) const {
-    const auto propagator = time == whole_step_.time ? whole_step_ : contact_.propagator(time);
-    Overlap end = contact_.after(propagator, s, drive);
-    const DampedOscillator::Zero zero = contact_.first_zero(s, drive, time, end);
-    if (zero.time <= time) {
-      time = zero.time;
-      end = {0.0, zero.rate};
-    }
-    record_contact(s, end, time, drive, record);
-    return time;
-  }
-
-  /// Records an interval of contact, from s to `end`.
-  void record_contact(Overlap& s, Overlap end, double time, double drive,
-                      NormalRecord& record) const {
-    record.contact_time += time;
-    record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
-    record.repulsion_at_end =
-        reduced_mass_ * (contact_.w0_squared() * end.x + 2.0 * contact_.alpha() * end.v);
-    record.dissipated +=
-        reduced_mass_ * (0.5 * (s.v * s.v - end.v * end.v) +
-                         (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
-    s = end;
-  }
-
   /// Whether the load keeps a captured pair at the edge, in bounces that do not cross the range.
   bool rests_at_edge(Overlap s, double outward) const {
     const double drive = drive_at(s.x, outward);
     const bool crosses = adhesion_.cutoff > 0.0 && s.v * s.v > 2.0 * s.x * drive;
-    return drive < 0.0 && !crosses && bounces_too_fast(-s.v, -drive, whole_step_.time);
+    return drive < 0.0 && !crosses && bounces_too_fast(-s.v, -drive, step_);
   }
 
   /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
@@ -239,10 +191,10 @@ class NormalMotion {
     return t;
   }
 
-  DampedOscillator contact_;
-  DampedOscillator::Propagator whole_step_;
+  ContactMotion contact_;
   contact::Adhesion adhesion_;
   double reduced_mass_;
+  double step_;
   double pull_;
   double edge_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact_solver/normal_motion.h"
+#include "contact_solver/motion_along_normal.h"
 #include "vector3.h"
 
 namespace cohesion::contact_solver {

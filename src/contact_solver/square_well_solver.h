@@ -9,7 +9,7 @@
 
 namespace cohesion::contact_solver {
 
-/// A square well around a linear spring-dashpot whose positions are exact samples of the motion:
+/// A square well around a contact whose positions are exact samples of the motion:
 /// ContactSolver with the well in the place of the adhesion.
 ///
 /// Inside without contact the pair flies as outside: straight across its normal, along it under
@@ -26,12 +26,12 @@ class SquareWellSolver : public ContactSolver {
  public:
   /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
   /// [length]: of the centres at touch, or the radius beside a wall; step [time].
-  SquareWellSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+  SquareWellSolver(const contact::NormalLaw& law, const contact::Adhesion& well,
                    double contact_distance, double step)
-      : ContactSolver(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance,
-                      step, well.cutoff, well.cutoff),
+      : ContactSolver(law, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step,
+                      well.cutoff, well.cutoff),
         depth_(well.tail_energy),
-        inverse_mass_(1.0 / spring.reduced_mass()) {}
+        inverse_mass_(1.0 / contact::reduced_mass(law)) {}
 
   /// At the edge, and what is left of it in the next step.
   bool gave_impulse(const ContactState& state) const override { return state.contact_time == 0.0; }
@@ -151,10 +151,9 @@ class SquareWellSolver : public ContactSolver {
 /// pair is in contact and at the edge within the same step.
 class WellEdgeSolver final : public SquareWellSolver {
  public:
-  WellEdgeSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+  WellEdgeSolver(const contact::NormalLaw& law, const contact::Adhesion& well,
                  double contact_distance, double step)
-      : SquareWellSolver(spring, {0.0, contact_distance + well.cutoff, well.tail_energy}, 0.0,
-                         step) {}
+      : SquareWellSolver(law, {0.0, contact_distance + well.cutoff, well.tail_energy}, 0.0, step) {}
 
   /// The spring is the other style's.
   double spring_energy(double /*overlap*/) const { return 0.0; }

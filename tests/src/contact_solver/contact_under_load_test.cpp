@@ -76,7 +76,7 @@ TEST(ContactUnderLoad, ALoadAtRestPressesItsSpringOnTheGrid) {
     for (int n = 0; n < 800.0 * part; n++) sphere.step();
     const double overlap = thesis::radius - sphere.distance;
     // Of the distance, eps is rounded off.
-    EXPECT_NEAR(overlap, thesis::mass * 9.81 / sphere.contact.spring().stiffness,
+    EXPECT_NEAR(overlap, thesis::mass * 9.81 / discrete_stiffness(sphere.contact),
                 4.0 * eps * thesis::radius + 1e-9 * overlap)
         << part;
     EXPECT_EQ(sphere.state.phase, ContactState::persistent);

@@ -17,6 +17,11 @@ inline contact::LinearSpringDashpot spring(double damping) {
   return {thesis::contact().stiffness, damping, thesis::reduced_mass};
 }
 
+/// K' of a contact with a linear spring, [force/length].
+inline double discrete_stiffness(const ContactSolver& solver) {
+  return std::get<LinearContact>(solver.contact()).discrete_spring().stiffness;
+}
+
 /// Two spheres in a plane, with staggered velocities as an engine has them.
 struct PairInPlane {
   const ContactSolver& solver;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <variant>
+
+#include "contact/normal_law.h"
+#include "contact_solver/integrated_contact.h"
+#include "contact_solver/linear_contact.h"
+
+namespace cohesion::contact_solver {
+
+/// What moves two that touch, by the law of their contact: in closed form, or by integration.
+using ContactMotion = std::variant<LinearContact, IntegratedContact<contact::HertzSpringDashpot>>;
+
+/// attraction [force]: constant in contact; step [time].
+inline ContactMotion contact_motion(const contact::NormalLaw& law, double attraction, double step) {
+  if (const auto* linear = std::get_if<contact::LinearSpringDashpot>(&law))
+    return LinearContact(*linear, attraction, step);
+  return IntegratedContact(std::get<contact::HertzSpringDashpot>(law), attraction, step);
+}
+
+}  // namespace cohesion::contact_solver

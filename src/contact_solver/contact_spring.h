@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "contact/contact_parameters.h"
+#include "contact_solver/discrete_spring.h"
+
+namespace cohesion::contact_solver {
+
+/// The spring of friction, or of rolling friction, of a contact. Beside a linear normal spring it
+/// is constant. Beside Hertz's it stiffens with the overlap, as Mindlin's: where it stiffens, its
+/// force stays and the stretch shrinks; where it softens, the stretch stays and the force falls. So
+/// no change of the overlap gives it energy.
+///
+/// Source: C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30.
+class ContactSpring {
+ public:
+  enum class Kind { sliding, rolling };
+
+  /// inverse_mass [1/mass]: DiscreteSpring.
+  ContactSpring(Kind kind, const contact::ContactParameters& contact, const contact::NormalLaw& law,
+                double step, double inverse_mass)
+      : kind_(kind),
+        contact_(contact),
+        law_(law),
+        step_(step),
+        inverse_mass_(inverse_mass),
+        stiffens_(!std::holds_alternative<contact::LinearSpringDashpot>(law)),
+        constant_(stiffens_
+                      ? at(0.0)
+                      : DiscreteSpring(parameters(std::get<contact::LinearSpringDashpot>(law)),
+                                       step, inverse_mass)) {}
+
+  /// Whether there is any friction.
+  bool is_present() const { return constant_.is_present(); }
+  bool stiffens() const { return stiffens_; }
+  /// Of one that does not stiffen.
+  const DiscreteSpring& constant() const { return constant_; }
+  /// Of any at this overlap [length].
+  DiscreteSpring at(double overlap) const {
+    if (!stiffens_) return constant_;
+    return DiscreteSpring::at_time_level(parameters(point(overlap)), step_, inverse_mass_);
+  }
+  /// What is left of a stretch from one overlap [length] to another.
+  double left_of_stretch(double before, double now) const {
+    if (!stiffens_) return 1.0;
+    const double softer = point(before).stiffness, stiffer = point(now).stiffness;
+    return stiffer > softer ? softer / stiffer : 1.0;
+  }
+
+ private:
+  template <class Normal>
+  contact::TangentialParameters parameters(const Normal& normal) const {
+    return kind_ == Kind::sliding ? contact::tangential_contact(contact_, normal)
+                                  : contact::rolling_contact(contact_, normal);
+  }
+  contact::LawPoint point(double overlap) const {
+    return std::get<contact::HertzSpringDashpot>(law_).at(std::max(overlap, 0.0));
+  }
+
+  Kind kind_;
+  contact::ContactParameters contact_;
+  contact::NormalLaw law_;
+  double step_;
+  double inverse_mass_;
+  bool stiffens_;
+  DiscreteSpring constant_;
+};
+
+}  // namespace cohesion::contact_solver

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/hertz_spring_dashpot.h"
+#include "contact_solver/contact_state.h"
+
+namespace cohesion::contact_solver {
+
+/// A contact whose law has no closed form, with a constant attraction: integrated.
+///
+/// In a persistent contact the force is the law's at the time level, as Verlet's scheme has it,
+/// with the rate v_n that spring, dashpot and load give there:
+///
+///   f = F(x_n) + c(x_n) v_n - F_ad    v_n = (u + dt/2 ((F_ad - F)/mu - b))/(1 + c dt/(2 mu))
+///
+/// where u is the mean rate of approach of the last step and b what other forces and turning do.
+/// Its first force gives the discrete orbit the true amplitude: v_(n+1/2) = v_n (1 - dt^2 F'/(8
+/// mu))
+/// + dt/2 a_n.
+///
+/// In a resolved step the classical Runge-Kutta scheme moves x and y = v + C(x)/mu, C the integral
+/// of c over the overlap, in two sub-steps: y has no jump where a dashpot sets in. Whether and with
+/// which speed a pair parts is decided by its energy, not by where a sub-step ends.
+///
+/// The energy account (energy_account.h) holds the work of the forces and what the dashpot takes,
+/// int |v| dC, from the speeds that the energy leaves at the time levels.
+///
+/// `Law` has at(x), a contact::LawPoint, reduced_mass() and is_damped().
+///
+/// Source: derived here, see docs/theory/exact_contacts.md.
+template <class Law>
+class IntegratedContact {
+ public:
+  /// attraction [force]: F_ad; step [time].
+  IntegratedContact(const Law& law, double attraction, double step)
+      : law_(law),
+        reduced_mass_(law.reduced_mass()),
+        inverse_mass_(1.0 / law.reduced_mass()),
+        adhesion_(attraction),
+        pull_(attraction / law.reduced_mass()),
+        step_(step),
+        is_damped_(law.is_damped()) {}
+
+  const Law& law() const { return law_; }
+
+  double spring_energy(double x) const { return x > 0.0 ? law_.at(x).energy : 0.0; }
+
+  /// As LinearContact has them.
+  bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
+    if (!(s.x > 0.0)) return false;
+    Course course{s, law_.at(s.x), 0.0};
+    for (int k = 0; k < substeps; k++) {
+      const Overlap before = course.s;
+      move(course, step_ / substeps, pull_ - outward);
+      if (may_part(before, course.s)) return false;
+    }
+    record_contact(s, course, step_, pull_ - outward, record);
+    return true;
+  }
+  double advance(Overlap& s, double time, double outward, NormalRecord& record) const {
+    const double drive = pull_ - outward;
+    const int steps = std::max(1, static_cast<int>(std::ceil(substeps * time / step_ - 1e-9)));
+    Course course{s, law_.at(s.x), 0.0};
+    for (int k = 0; k < steps; k++) {
+      const Course before = course;
+      move(course, time / steps, drive);
+      if (!may_part(before.s, course.s)) continue;
+      const Parting parting = part(before, drive);
+      if (parting.speed > 0.0) {
+        const double taken = k * time / steps + std::min(parting.time, time / steps);
+        course = {{0.0, -parting.speed}, law_.at(0.0), before.dissipated + parting.dissipated};
+        record_contact(s, course, taken, drive, record);
+        return taken;
+      }
+      // The energy does not suffice: it turns within the contact.
+      course.s = {std::max(course.s.x, turning_part * before.s.x), std::max(course.s.v, 0.0)};
+      course.at = law_.at(course.s.x);
+    }
+    record_contact(s, course, time, drive, record);
+    return time;
+  }
+
+  /// centrifugal [length/time^2]: in `load`; adhesion_energy: of the pair as it is, [energy].
+  bool advance_persistent(const ContactPoint& now, double load, double centrifugal,
+                          const ContactState& state, double adhesion_energy,
+                          PersistentStep& step) const {
+    const Arrival here = arrive(now, load, centrifugal, state, adhesion_energy);
+    const double own = (adhesion_ - here.at.force - here.at.damping * here.grid_rate);
+    if (!lasts(now.overlap, here.grid_rate, own * inverse_mass_ - load, load)) return false;
+    step.force = -own;
+    step.repulsion = adhesion_ - own;
+    step.account = here.work + here.dissipated +
+                   0.5 * step_ * step.force * (now.rate + 0.5 * step_ * centrifugal);
+    step.true_rate = -here.rate;
+    return true;
+  }
+  bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
+                        const ContactState& state, PersistentStep& step) const {
+    const double centrifugal = at.sideways * at.sideways / at.distance;
+    const double external = load - centrifugal;
+    const double rate = -(at.rate + state.velocity_offset + 0.5 * step_ * external);
+    const contact::LawPoint p = law_.at(std::max(now.overlap, 0.0));
+    const double own = (adhesion_ - p.force - p.damping * rate) * inverse_mass_;
+    if (!lasts(now.overlap, rate, own - load, load)) return false;
+    const double first = -state.velocity_offset / step_ + 0.5 * own -
+                         0.125 * step_ * p.stiffness * inverse_mass_ * rate;
+    step.force = -reduced_mass_ * first;
+    step.repulsion = adhesion_ - reduced_mass_ * own;
+    step.account = 0.5 * step_ * step.force * at.rate;
+    step.true_rate = -rate;
+    return true;
+  }
+  double repulsion(const ContactPoint& now) const {
+    const contact::LawPoint p = law_.at(std::max(now.overlap, 0.0));
+    return p.force - p.damping * now.rate;
+  }
+
+  double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
+                 double adhesion_energy) const {
+    const Arrival here = arrive(now, at, state, adhesion_energy);
+    return state.account + here.work + here.dissipated;
+  }
+  double dissipation(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
+                     double adhesion_energy) const {
+    return arrive(now, at, state, adhesion_energy).dissipated;
+  }
+  /// A pair that parts has the speed that its energy leaves.
+  double true_rate(const ContactPoint& now, const StaggeredMotion& at, double /*outward*/,
+                   const ContactState& state, double adhesion_energy) const {
+    const Arrival here = arrive(now, at, state, adhesion_energy);
+    if (here.grid_rate >= 0.0) return -here.grid_rate;
+    return std::sqrt(std::max(here.energy_left - 2.0 * inverse_mass_ * here.dissipated, 0.0));
+  }
+
+  double late_dissipation(const StaggeredMotion&, const ContactState&) const { return 0.0; }
+  double early_dissipation(double dissipation, double, double) const { return dissipation; }
+
+ private:
+  static constexpr int substeps = 2;
+  /// Where a pair turns that comes near to parting, of the overlap before.
+  static constexpr double turning_part = 1e-3;
+  /// How far, relative to its square, the speed that the energy leaves may be from that of the
+  /// discrete motion to be taken for it.
+  static constexpr double trusted = 0.5;
+
+  /// Through a contact: what is reached, the law there, and what the dashpot has taken.
+  struct Course {
+    Overlap s;
+    contact::LawPoint at;
+    double dissipated;
+  };
+  /// A persistent contact at the next time level.
+  struct Arrival {
+    contact::LawPoint at;
+    double grid_rate;    ///< of approach, by the discrete motion, [length/time]
+    double rate;         ///< the same, by the energy where that is near, [length/time]
+    double work;         ///< of the last force on its way here, [energy]
+    double energy_left;  ///< twice the energy of the approach per mass, if nothing was dissipated
+    double dissipated;   ///< since the last time level, [energy]
+  };
+  /// How a pair parts; speed 0: it does not.
+  struct Parting {
+    double speed, time, dissipated;
+  };
+
+  Arrival arrive(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
+                 double adhesion_energy) const {
+    const double load = (now.rate - state.last_rate) / step_ - state.force * inverse_mass_;
+    return arrive(now, load, at.sideways * at.sideways / at.distance, state, adhesion_energy);
+  }
+  Arrival arrive(const ContactPoint& now, double load, double centrifugal,
+                 const ContactState& state, double adhesion_energy) const {
+    Arrival here{law_.at(std::max(now.overlap, 0.0)), 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double half = 0.5 * step_;
+    const double chord = -now.rate;
+    here.grid_rate = (chord + half * ((adhesion_ - here.at.force) * inverse_mass_ - load)) /
+                     (1.0 + half * here.at.damping * inverse_mass_);
+    here.rate = here.grid_rate;
+    here.work = half * state.force * (now.rate - half * centrifugal);
+    const double others = chord - half * load;
+    here.energy_left =
+        others * others -
+        2.0 * inverse_mass_ * (state.account + here.work + here.at.energy + adhesion_energy);
+    if (is_damped_) set_dissipation(now, load, state, here);
+    return here;
+  }
+
+  /// What the dashpot took on the way from the last time level, where the rate of approach was
+  /// -state.velocity_offset.
+  void set_dissipation(const ContactPoint& now, double load, const ContactState& state,
+                       Arrival& here) const {
+    const double x = now.overlap, x0 = std::max(x + step_ * now.rate, 0.0);
+    const double v0 = -state.velocity_offset;
+    const contact::LawPoint before = law_.at(x0);
+    const double guess =
+        std::max(-now.rate * (here.at.damping_integral - before.damping_integral), 0.0);
+    const double square = here.energy_left - 2.0 * inverse_mass_ * guess;
+    const double grid = here.grid_rate * here.grid_rate;
+    if (std::abs(square - grid) < trusted * grid)
+      here.rate = std::copysign(std::sqrt(square), here.grid_rate);
+    const double v = here.rate;
+    const double s0 = v0 * v0, s1 = v * v;
+    if (v * v0 <= 0.0) {  // turns: two legs at a constant acceleration
+      const double stiffness = here.at.stiffness * inverse_mass_;
+      const double a1 =
+          std::abs((adhesion_ - here.at.force - here.at.damping * v) * inverse_mass_ - load);
+      const double a0 =
+          std::abs((adhesion_ - before.force - before.damping * v0) * inverse_mass_ - load);
+      const double b0 = a0 + stiffness * s0 / (4.0 * a0), b1 = a1 + stiffness * s1 / (4.0 * a1);
+      here.dissipated =
+          (before.damping * s0 * std::abs(v0) / b0 + here.at.damping * s1 * std::abs(v) / b1) / 3.0;
+      const double most = step_ * std::max(before.damping, here.at.damping) * std::max(s0, s1);
+      if (!(here.dissipated < most))
+        here.dissipated =
+            step_ * 0.5 * (before.damping + here.at.damping) * (s1 + v * v0 + s0) / 3.0;
+      return;
+    }
+    const contact::LawPoint middle = law_.at(0.5 * (x + x0));
+    const double square_middle =
+        0.5 * (s0 + s1) + inverse_mass_ * (here.at.energy + before.energy - 2.0 * middle.energy);
+    const double v_middle =
+        square_middle > 0.0 ? std::copysign(std::sqrt(square_middle), v) : 0.5 * (v + v0);
+    // Exact for a constant c and acceleration; one leg and two of them, extrapolated.
+    const double one = leg(before, here.at, v0, v);
+    const double two = leg(before, middle, v0, v_middle) + leg(middle, here.at, v_middle, v);
+    here.dissipated = std::max((4.0 * two - one) / 3.0, 0.0);
+  }
+  static double leg(const contact::LawPoint& from, const contact::LawPoint& to, double v0,
+                    double v1) {
+    const double a = std::abs(v0), b = std::abs(v1);
+    if (a + b == 0.0) return 0.0;
+    return std::abs(to.damping_integral - from.damping_integral) * (2.0 / 3.0) *
+           (a * a + a * b + b * b) / (a + b);
+  }
+
+  /// Whether a contact, at a rate of approach and acceleration, is certain to last for the step,
+  /// and bears its load.
+  bool lasts(double overlap, double rate, double acceleration, double load) const {
+    if (pull_ > 0.0 && !(load < pull_)) return false;
+    const double next = overlap + step_ * (rate + 0.5 * step_ * acceleration);
+    double least = std::min(overlap, next);
+    if (rate < 0.0 && acceleration > 0.0 && -rate < acceleration * step_)
+      least = std::min(least, overlap - 0.5 * rate * rate / acceleration);
+    const double way = step_ * std::max(std::abs(rate), std::abs(rate + step_ * acceleration));
+    return least > way && next > 0.3 * overlap;
+  }
+
+  /// Whether a sub-step may have ended the contact.
+  static bool may_part(Overlap before, Overlap after) {
+    return after.x <= 0.0 || (before.v < 0.0 && after.v > 0.0);
+  }
+
+  /// A sub-step of Runge and Kutta under a constant acceleration.
+  void move(Course& course, double h, double drive) const {
+    const auto rate_of = [&](double y, const contact::LawPoint& p) {
+      return y - p.damping_integral * inverse_mass_;
+    };
+    const auto at = [&](double x) { return law_.at(std::max(x, 0.0)); };
+    const auto push = [&](const contact::LawPoint& p) { return drive - p.force * inverse_mass_; };
+    const Overlap start = course.s;
+    const contact::LawPoint p1 = course.at;
+    const double y = start.v + p1.damping_integral * inverse_mass_;
+    const double x1 = start.v, y1 = push(p1);
+    const contact::LawPoint p2 = at(start.x + 0.5 * h * x1);
+    const double x2 = rate_of(y + 0.5 * h * y1, p2), y2 = push(p2);
+    const contact::LawPoint p3 = at(start.x + 0.5 * h * x2);
+    const double x3 = rate_of(y + 0.5 * h * y2, p3), y3 = push(p3);
+    const contact::LawPoint p4 = at(start.x + h * x3);
+    const double x4 = rate_of(y + h * y3, p4), y4 = push(p4);
+    course.s.x = start.x + h / 6.0 * (x1 + 2.0 * x2 + 2.0 * x3 + x4);
+    course.at = at(course.s.x);
+    course.s.v = rate_of(y + h / 6.0 * (y1 + 2.0 * y2 + 2.0 * y3 + y4), course.at);
+    if (!is_damped_) return;
+    // int v dC, both as parabolas in time.
+    const double x_middle = 0.5 * (start.x + course.s.x) + 0.125 * h * (start.v - course.s.v);
+    const double v_middle = 1.5 * (course.s.x - start.x) / h - 0.25 * (start.v + course.s.v);
+    course.dissipated +=
+        std::max(work_of_dashpot(start.v, v_middle, course.s.v, p1.damping_integral,
+                                 at(x_middle).damping_integral, course.at.damping_integral),
+                 0.0);
+  }
+  /// int v dC of three points of equal distance, both as parabolas.
+  static double work_of_dashpot(double v0, double v1, double v2, double c0, double c1, double c2) {
+    return (v0 * (-3.0 * c0 + 4.0 * c1 - c2) + 4.0 * v1 * (c2 - c0) +
+            v2 * (c0 - 4.0 * c1 + 3.0 * c2)) /
+           6.0;
+  }
+
+  /// The way from a place in contact to parting, by the energy.
+  Parting part(const Course& from, double drive) const {
+    const double x = from.s.x, speed = std::abs(from.s.v);
+    // Twice the kinetic energy per mass where the overlap is `to`, if `lost` was dissipated.
+    const auto square_at = [&](double to, double energy, double lost) {
+      return speed * speed + 2.0 * inverse_mass_ * (from.at.energy - energy - lost) -
+             2.0 * drive * (x - to);
+    };
+    Parting parting{0.0, 0.0, 0.0};
+    if (is_damped_) {
+      const contact::LawPoint middle = law_.at(0.5 * x);
+      double lost_half = 0.0;
+      for (int k = 0; k < 3; k++) {
+        const double at_end = std::sqrt(std::max(square_at(0.0, 0.0, parting.dissipated), 0.0));
+        const double half = std::sqrt(std::max(square_at(0.5 * x, middle.energy, lost_half), 0.0));
+        parting.dissipated = -work_of_dashpot(speed, half, at_end, from.at.damping_integral,
+                                              middle.damping_integral, 0.0);
+        lost_half = (from.at.damping_integral - middle.damping_integral) * 0.5 * (speed + half);
+      }
+    }
+    const double square = square_at(0.0, 0.0, parting.dissipated);
+    if (!(square > 0.0)) return {0.0, 0.0, 0.0};
+    parting.speed = std::sqrt(square);
+    // int dx/v by three points of Gauss and Legendre.
+    constexpr double places[] = {0.1127016653792583, 0.5, 0.8872983346207417};
+    constexpr double weights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    for (int k = 0; k < 3; k++) {
+      const double there = x * (1.0 - places[k]);
+      const contact::LawPoint p = law_.at(there);
+      const double part = from.at.damping_integral > 0.0
+                              ? 1.0 - p.damping_integral / from.at.damping_integral
+                              : 0.0;
+      const double v2 = square_at(there, p.energy, part * parting.dissipated);
+      parting.time += v2 > 0.0 ? weights[k] * x / std::sqrt(v2) : step_;
+    }
+    return parting;
+  }
+
+  void record_contact(Overlap& s, const Course& end, double time, double drive,
+                      NormalRecord& record) const {
+    record.contact_time += time;
+    record.repulsion_impulse += reduced_mass_ * (drive * time - (end.s.v - s.v));
+    record.repulsion_at_end = end.at.force + end.at.damping * end.s.v;
+    record.dissipated += end.dissipated;
+    s = end.s;
+  }
+
+  Law law_;
+  double reduced_mass_;
+  double inverse_mass_;
+  double adhesion_;  // F_ad
+  double pull_;      // F_ad/mu
+  double step_;
+  bool is_damped_;
+};
+
+}  // namespace cohesion::contact_solver

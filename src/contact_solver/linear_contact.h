@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/linear_spring_dashpot.h"
+#include "contact_solver/contact_state.h"
+#include "contact_solver/damped_oscillator.h"
+
+namespace cohesion::contact_solver {
+
+/// A contact with a linear spring-dashpot and a constant attraction, in closed form.
+///
+/// In a persistent contact the motion about its equilibrium x_e obeys
+///
+///   x_(n+1) = 2 c x_n - d x_(n-1)    c = exp(-alpha dt) cos(q dt)    d = exp(-2 alpha dt)
+///
+/// so that one discrete force of the usual form is exact at any step:
+///
+///   f = K' x - eta' u - (K'/K) F_ad      K' = mu (1 + d - 2 c)/dt^2    eta' = mu (1 - d)/dt
+///
+/// with the overlap x and the mean rate u of the last step, of the distance. A load L gives the
+/// overlap L/K' in the place of L/K.
+///
+/// Of its energy account (energy_account.h): while the contact is persistent, R has besides the
+/// energy that the discrete spring stores; its dissipation is a quadratic form of two staggered
+/// rates. In a resolved step the dashpot dissipates eta u^2 for the time of contact with the mean
+/// rate u of the step, which the particles have one step later: R changes by the difference then.
+///
+/// Source: derived here, see docs/theory/exact_contacts.md.
+class LinearContact {
+ public:
+  /// attraction [force]: F_ad; step [time].
+  LinearContact(const contact::LinearSpringDashpot& spring, double attraction, double step)
+      : oscillator_(spring.stiffness() / spring.reduced_mass(),
+                    0.5 * spring.damping() / spring.reduced_mass()),
+        whole_step_(oscillator_.propagator(step)),
+        discrete_(oscillator_.on_grid(step, spring.reduced_mass())),
+        reduced_mass_(spring.reduced_mass()),
+        inverse_mass_(1.0 / spring.reduced_mass()),
+        adhesion_(attraction),
+        pull_(attraction / spring.reduced_mass()),
+        attraction_(discrete_.stiffness * pull_ / oscillator_.w0_squared()),
+        weight_(spring.stiffness() / discrete_.stiffness),
+        bearable_(bearable(spring.restitution())),
+        damping_(spring.damping()) {
+    if (damping_ > 0.0) set_dissipation();
+  }
+
+  /// K' and eta'.
+  const GridSpring& discrete_spring() const { return discrete_; }
+
+  /// Energy stored in the spring at overlap x, [energy].
+  double spring_energy(double x) const {
+    return x > 0.0 ? 0.5 * reduced_mass_ * oscillator_.w0_squared() * x * x : 0.0;
+  }
+
+  /// Moves a contact that certainly lasts for the whole step, as advance() does. `outward`
+  /// [length/time^2]: what pulls it apart. False, and nothing done, where that is not certain.
+  bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
+    if (!(s.x > 0.0)) return false;
+    const double drive = pull_ - resolved_load(outward);
+    const Overlap end = oscillator_.after(whole_step_, s, drive);
+    if (!DampedOscillator::stays_positive(s, end)) return false;
+    record_contact(s, end, whole_step_.time, drive, record);
+    return true;
+  }
+  /// Moves a contact for at most `time` [time], until it parts. Returns the time it took.
+  double advance(Overlap& s, double time, double outward, NormalRecord& record) const {
+    const double drive = pull_ - resolved_load(outward);
+    const auto propagator = time == whole_step_.time ? whole_step_ : oscillator_.propagator(time);
+    Overlap end = oscillator_.after(propagator, s, drive);
+    const DampedOscillator::Zero zero = oscillator_.first_zero(s, drive, time, end);
+    if (zero.time <= time) {
+      time = zero.time;
+      end = {0.0, zero.rate};
+    }
+    record_contact(s, end, time, drive, record);
+    return time;
+  }
+
+  /// The force of a contact that was in contact throughout the last step. False where it is not
+  /// certain to be in contact until the next time level under the `load` [length/time^2] of the
+  /// last step, or does not bear that load.
+  [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
+                                                 const ContactState& state,
+                                                 PersistentStep& step) const {
+    if (!force_of(now, load, step)) return false;
+    step.account = dissipated(state.last_rate, now.rate);
+    return true;
+  }
+  /// The same in the first step after a resolved one.
+  bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
+                        const ContactState& /*state*/, PersistentStep& step) const {
+    if (!force_of(now, load, step)) return false;
+    step.account = 0.5 * whole_step_.time * step.force * at.rate + stored(now, at);
+    return true;
+  }
+  /// The part of spring and dashpot at a time level that a persistent contact has reached, [force].
+  double repulsion(const ContactPoint& now) const {
+    return discrete_.stiffness * now.overlap - discrete_.damping * now.rate +
+           (adhesion_ - attraction_);
+  }
+
+  /// Of a persistent contact: R up to this time level without the work of the force that begins
+  /// here.
+  double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
+                 double /*adhesion_energy*/) const {
+    return state.account + dissipated(state.last_rate, now.rate) - stored(now, at) -
+           0.5 * whole_step_.time * force(now) * at.rate;
+  }
+  /// What the dashpot of a persistent contact has dissipated since the last time level, [energy].
+  double dissipation(const ContactPoint& now, const StaggeredMotion&, const ContactState& state,
+                     double /*adhesion_energy*/) const {
+    const double before = state.last_rate, after = now.rate;
+    return dissipated(before, after) +
+           0.5 * discrete_.damping * whole_step_.time * after * (before + after);
+  }
+  /// The true rate of the distance at a time level that a persistent contact has reached, by the
+  /// closed form through the last two overlaps. outward [length/time^2]: acceleration by load and
+  /// turning.
+  double true_rate(const ContactPoint& now, const StaggeredMotion& at, double outward,
+                   const ContactState&, double /*adhesion_energy*/) const {
+    const double dt = whole_step_.time;
+    const double before = std::hypot(at.distance - dt * at.rate, dt * at.sideways);
+    const double equilibrium = (pull_ - weight_ * outward) / oscillator_.w0_squared();
+    const double is = now.overlap - equilibrium, was = is + at.distance - before;
+    const double rate = (is - whole_step_.xx * was) / whole_step_.xv;
+    return -(whole_step_.vx * was + whole_step_.vv * rate);
+  }
+
+  /// What the dashpot of a resolved step has dissipated with the rate at its end, [energy].
+  double late_dissipation(const StaggeredMotion& at, const ContactState& state) const {
+    return damping_ * state.contact_time * at.rate * at.rate;
+  }
+  /// What a resolved step dissipates, less what its dashpot will with the rate `mean` along the
+  /// normal at its end.
+  double early_dissipation(double dissipation, double contact_time, double mean) const {
+    return dissipation - damping_ * contact_time * mean * mean;
+  }
+
+ private:
+  /// The fraction of the way of a step that a contact must be away from its end to be certain to
+  /// last.
+  static constexpr double certain = 0.1;
+
+  /// Up to which load a contact stays persistent. Beyond it the overlap at rest is (F_ad - L)/K,
+  /// where it was F_ad/K - L/K' before, and the contact begins to swing by the difference. What is
+  /// left of the swing when the contact is to part must not part it by a hundredth of F_ad too
+  /// early: half of that, of a load that is slow, which needs ten contact times for the last part
+  /// of its way.
+  double bearable(double restitution) const {
+    if (!(pull_ > 0.0)) return std::numeric_limits<double>::infinity();
+    const double swing = (weight_ - 1.0) * std::pow(restitution, 10.0);
+    return pull_ * std::min(1.0 / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
+  }
+  /// The outward acceleration of a contact that is resolved, so that a load that a persistent
+  /// contact bears gives the same overlap: were it another, spheres that bounce under their weight
+  /// would gain energy. A contact is not to bear more than F_ad, and a larger load acts as it is.
+  double resolved_load(double outward) const {
+    return outward < bearable_ ? weight_ * outward : outward;
+  }
+
+  [[gnu::always_inline]] double force(const ContactPoint& now) const {
+    return discrete_.stiffness * now.overlap - discrete_.damping * now.rate - attraction_;
+  }
+  [[gnu::always_inline]] bool force_of(const ContactPoint& now, double load,
+                                       PersistentStep& step) const {
+    if (!(load < bearable_)) return false;
+    const double dt = whole_step_.time;
+    step.force = force(now);
+    step.repulsion = step.force + adhesion_;
+    const double next = -now.rate - dt * (step.force * inverse_mass_ + load);
+    // Between two time levels it may dip below both, most where what pulls is constant.
+    const double dip = 0.125 * dt * std::max(next + now.rate, 0.0);
+    const double least = certain * dt * std::abs(now.rate) + 2.0 * dip;
+    return now.overlap > least && now.overlap + dt * next > least;
+  }
+
+  /// Records an interval of contact, from s to `end`.
+  void record_contact(Overlap& s, Overlap end, double time, double drive,
+                      NormalRecord& record) const {
+    const double w0_squared = oscillator_.w0_squared();
+    record.contact_time += time;
+    record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
+    record.repulsion_at_end =
+        reduced_mass_ * (w0_squared * end.x + 2.0 * oscillator_.alpha() * end.v);
+    record.dissipated +=
+        reduced_mass_ * (0.5 * (s.v * s.v - end.v * end.v) +
+                         (s.x - end.x) * (0.5 * w0_squared * (s.x + end.x) - drive));
+    s = end;
+  }
+
+  /// The energy whose decrease is the work of a persistent contact, of turning pairs, too.
+  double stored(const ContactPoint& now, const StaggeredMotion& at) const {
+    const double across = whole_step_.time * at.sideways;
+    return now.overlap * (0.5 * discrete_.stiffness * now.overlap - attraction_) -
+           0.25 * force(now) * across * across / at.distance;
+  }
+  /// The dissipation in closed form from one time level to the next of a persistent contact, less
+  /// the work of the discrete dashpot, from the mean rates before and after the first one. R
+  /// changes by it, since the discrete spring stores what it works.
+  [[gnu::always_inline]] double dissipated(double before, double after) const {
+    return before * (before_before_ * before + before_after_ * after) +
+           after_after_ * after * after;
+  }
+  void set_dissipation() {
+    const DampedOscillator::Propagator& p = whole_step_;
+    const auto of = [&](double before, double after) {
+      const double stretch =
+          -(reduced_mass_ * (after - before) / p.time + discrete_.damping * before) /
+          discrete_.stiffness;
+      const double next = stretch + p.time * after;
+      const double rate = (next - p.xx * stretch) / p.xv;
+      const double next_rate = p.vx * stretch + p.vv * rate;
+      const double lost = 0.5 * reduced_mass_ *
+                          (rate * rate - next_rate * next_rate +
+                           oscillator_.w0_squared() * (stretch * stretch - next * next));
+      return lost - 0.5 * discrete_.damping * p.time * after * (after + before);
+    };
+    before_before_ = of(1.0, 0.0);
+    after_after_ = of(0.0, 1.0);
+    before_after_ = of(1.0, 1.0) - before_before_ - after_after_;
+  }
+
+  DampedOscillator oscillator_;
+  DampedOscillator::Propagator whole_step_;
+  GridSpring discrete_;
+  double reduced_mass_;
+  double inverse_mass_;
+  double adhesion_;    // F_ad
+  double pull_;        // F_ad/mu
+  double attraction_;  // (K'/K) F_ad
+  double weight_;      // K/K'
+  double bearable_;    // largest load per mu, [length/time^2]
+  double damping_;     // of the contact, [mass/time]
+  double before_before_ = 0.0, before_after_ = 0.0, after_after_ = 0.0;  // of dissipated()
+};
+
+}  // namespace cohesion::contact_solver
