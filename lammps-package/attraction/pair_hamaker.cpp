@@ -217,7 +217,7 @@ void PairHamaker::settings(int narg, char** arg) {
          s.surface_cutoff = v[0];
          s.outer_cutoff = v[1];
        }},
-      {"form", 1, nullptr, [](Settings& s, const char* name) {
+      {"form", 1, nullptr, [](Settings& s, const char* name, const double*) {
          s.form = &cohesion::find_by_name(hamaker::forms, "form", name);
        }}};
   const std::string where = "pair_style hamaker";

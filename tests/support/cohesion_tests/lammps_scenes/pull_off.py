@@ -15,8 +15,7 @@ def script(grain, division, scheme, pulled_by):
     """pulled_by: addforce, gravity, or wall: a second plane, which attracts three times as much and moves away slowly
     with the grain."""
     d, steps, side = grain.diameter, grain.steps(division), 4 * grain.diameter
-    at_rest = grain.force / grain.stiffness  # overlap
-    contact = f"stiffness {grain.stiffness!r} restitution {grain.restitution!r}"
+    at_rest, contact = grain.overlap_at_rest, grain.words
     adhesion = f"hamaker {A!r} cutoff {CUT!r} {OUT!r}"
     pair = grain.partner == "pair"
     start = side - (d if pair else d / 2) + at_rest
@@ -65,7 +64,7 @@ def load_at_parting(grain, division, scheme="exact", pulled_by="addforce"):
         code, output = lammps.run_text(script(grain, division, scheme, pulled_by), folder)
     if code != 0:
         raise AssertionError(output[-3000:])
-    opened = grain.force / grain.stiffness + CUT  # since the start
+    opened = grain.overlap_at_rest + CUT  # since the start
     if float(re.search(r"^ENDED (\S+)", output, re.MULTILINE)[1]) < opened:
         return math.inf
     rows = re.findall(r"^ *\d+ +(\S+) +(\S+) *$", output, re.MULTILINE)

@@ -23,18 +23,40 @@ class Grain:
     else a wall. lag: of the load, over F_ad."""
 
     def __init__(self, stiffness, restitution, diameter=75e-6, partner="plane", lag=1.5e-3):
-        self.stiffness, self.restitution, self.diameter, self.partner = stiffness, restitution, diameter, partner
-        self.mass = DENSITY * math.pi / 6 * diameter**3
-        self.reduced_mass = self.mass / 2 if partner == "pair" else self.mass
-        radius = diameter / 4 if partner == "pair" else diameter / 2
-        self.force = A * radius / (6 * CUT**2)
+        self.stiffness, self.restitution = stiffness, restitution
+        self.set_grain(diameter, partner)
         log = math.log(restitution)
         self.damping = -2 * log * math.sqrt(self.reduced_mass * stiffness / (math.pi**2 + log**2))
         alpha = self.damping / (2 * self.reduced_mass)
         self.contact_time = math.pi / math.sqrt(stiffness / self.reduced_mass - alpha**2)
+        self.overlap_at_rest = self.force / stiffness
+        self.words = f"stiffness {stiffness!r} restitution {restitution!r}"
+        self.set_duration(lag)
+
+    def set_grain(self, diameter, partner):
+        self.diameter, self.partner = diameter, partner
+        self.mass = DENSITY * math.pi / 6 * diameter**3
+        self.reduced_mass = self.mass / 2 if partner == "pair" else self.mass
+        self.radius = diameter / 4 if partner == "pair" else diameter / 2
+        self.force = A * self.radius / (6 * CUT**2)
+
+    def set_duration(self, lag):
         # Slow beside the contact, too: what it begins to swing by has gone.
         self.duration = TOP / min(rate_of_lag(lag, self.force, self.reduced_mass), 1 / (150 * self.contact_time))
 
     def steps(self, division):
         """Of the ramp."""
         return round(self.duration / self.contact_time * division)
+
+
+class HertzGrain(Grain):
+    """The same with Hertz's contact: E [Pa], nu 0.25. Its contact time is half a period of small swings about rest."""
+
+    def __init__(self, modulus, restitution, diameter=75e-6, partner="plane", lag=1.5e-3):
+        self.restitution = restitution
+        self.set_grain(diameter, partner)
+        k = 4 / 3 * modulus / (2 * (1 - 0.25**2)) * math.sqrt(self.radius)
+        self.overlap_at_rest = (self.force / k)**(2 / 3)
+        self.contact_time = math.pi * math.sqrt(self.reduced_mass / (1.5 * k * math.sqrt(self.overlap_at_rest)))
+        self.words = f"normal hertz {modulus!r} 0.25 restitution {restitution!r}"
+        self.set_duration(lag)
