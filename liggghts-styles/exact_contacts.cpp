@@ -78,11 +78,12 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
   cut_short_ = warnings.late_warning(who_ + turned_too_often);
   const auto reject = [&](const std::string& why) {
     lmp_->error->all(FLERR, (who_ + ", scheme exact: model " + normal.name() + " " + why +
-                             ": use 'scheme sampled', or model hooke or hooke/stiffness as it is "
-                             "by default")
+                             ": use 'scheme sampled', or model hooke, hooke/stiffness, hertz or "
+                             "hertz/stiffness as it is by default")
                                 .c_str());
   };
-  if (normal.exponent() != 1.0) reject("has a spring whose motion has no closed form");
+  if (normal.exponent() != 1.0 && normal.exponent() != 1.5)
+    reject("has a spring that is neither linear nor Hertz's");
   for (int i = 1; i <= types; i++)
     for (int j = 1; j <= types; j++) {
       if (normal.dashpot_varies(i, j)) reject("has a dashpot that depends on the speed (viscous)");
@@ -111,10 +112,10 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
   guarded(lmp_, who_, [&] {
     const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
                                       reduced_mass, 0.0,     d.is_wall};
+    k.law = make_law_(normal_->law(pair), adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
+    k.stiffens = normal_->exponent() != 1.0;
+    if (k.stiffens) return;
     const auto springs = normal_->springs(pair);
-    const cohesion::contact::LinearSpringDashpot spring(springs.stiffness, springs.damping,
-                                                        reduced_mass);
-    k.law = make_law_(spring, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));

@@ -3,6 +3,7 @@
 #define COHESION_EXACT_CONTACTS_H
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -39,7 +40,7 @@ class ExactContacts {
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
   using ContactSolver = cohesion::contact_solver::ContactSolver;
-  using MakeLaw = std::unique_ptr<ContactSolver> (*)(const cohesion::contact::LinearSpringDashpot&,
+  using MakeLaw = std::unique_ptr<ContactSolver> (*)(const cohesion::contact::NormalLaw&,
                                                      const cohesion::contact::Adhesion&,
                                                      double contact_distance, double step);
 
@@ -69,8 +70,9 @@ class ExactContacts {
   /// Whether a contact with this history is in the range of its attraction.
   bool in_range(const double* history) const;
 
-  /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the
-  /// discrete K_t and eta_t that are exact at any step (GridSpring). `spring`: its
+  /// Lets the engine's friction act in `step` with the repulsion of the contact, and beside a
+  /// linear spring with the discrete K_t and eta_t that are exact at any step (GridSpring). Where
+  /// K_t grows with the overlap, the force stays and the displacement shrinks. `spring`: its
   /// displacement, which the engine will let grow through all of the step before, also where there
   /// was no contact; null: it has none.
   void set_friction(ContactModels::SurfacesIntersectData& contact,
@@ -88,7 +90,8 @@ class ExactContacts {
   struct KnownContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
     std::unique_ptr<ContactSolver> law;
-    cohesion::contact_solver::GridSpring tangential{};
+    bool stiffens = false;                              ///< the tangential spring, with the overlap
+    cohesion::contact_solver::GridSpring tangential{};  ///< of one that does not
   };
 
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
@@ -192,9 +195,18 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
                                         const KnownContact& k, double repulsion, double time_apart,
                                         double* spring) {
   contact.Fn = std::max(repulsion, 0.0);
-  contact.kt = k.tangential.stiffness;
-  contact.gammat = k.tangential.damping;
-  if (!spring || !contact.shearupdate || time_apart == 0.0) return;
+  if (!k.stiffens) {
+    contact.kt = k.tangential.stiffness;
+    contact.gammat = k.tangential.damping;
+  }
+  if (!spring || !contact.shearupdate) return;
+  if (k.stiffens) {
+    const double before = contact.deltan + k.law->step() * contact.vn;
+    const double left =
+        before < contact.deltan ? std::sqrt(std::max(before, 0.0) / contact.deltan) : 1.0;
+    for (int d = 0; d < 3; d++) spring[d] *= left;
+  }
+  if (time_apart == 0.0) return;
   const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   for (int d = 0; d < 3; d++) spring[d] -= time_apart * slip[d];
 }

@@ -7,6 +7,8 @@
 #include "fix_insert_stream.h"
 #include "global_properties.h"
 // clang-format on
+#include <cmath>
+
 #include "contact_model_base.h"
 #include "contact_models.h"
 #include "error.h"
@@ -107,7 +109,20 @@ cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, dou
   springs.tangential_damping = contact.gammat;
   springs.exponent = exponent();
   springs.overlap = contact.deltan;
+  // At 16 times the overlap a dashpot of the square root is 4 times as strong, one of the fourth
+  // root twice.
+  if (springs.exponent == 1.5 && asked(pair, 16.0 * contact.deltan).gamman > 3.0 * contact.gamman)
+    springs.power = cohesion::contact::HertzSpringDashpot::Damping::square_root;
   return springs;
+}
+
+cohesion::contact::NormalLaw NormalModelProbe::law(const Pair& pair) const {
+  using cohesion::contact::LinearSpringDashpot;
+  const auto s = springs(pair);
+  if (s.exponent == 1.0) return LinearSpringDashpot(s.stiffness, s.damping, pair.reduced_mass);
+  cohesion::require(s.exponent == 1.5, "exponent of the spring", s.exponent,
+                    "is neither 1, linear, nor 1.5, Hertz's");
+  return s.hertz(pair.reduced_mass);
 }
 
 bool NormalModelProbe::dashpot_varies(int itype, int jtype) const {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "advice/power_law_spring.h"
+#include "contact/normal_law.h"
 #include "property_registry.h"
 #include "settings.h"
 
@@ -50,6 +51,10 @@ class NormalModelProbe {
   bool dashpot_varies(int itype, int jtype) const;
   /// Whether the force of two that part ends where their dashpot would pull.
   bool limits_force(int itype, int jtype) const;
+
+  /// The model as the solver takes it (contact/normal_law.h). Throws InvalidParameter for one that
+  /// is neither linear nor Hertz's.
+  cohesion::contact::NormalLaw law(const Pair& pair) const;
 
   /// At `overlap` [length], 0: a small one; and how the force changes with it.
   cohesion::advice::ContactSprings springs(const Pair& pair, double overlap = 0.0) const;

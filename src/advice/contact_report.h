@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "advice/contact_advice.h"
+#include "advice/hertz_escape.h"
 #include "advice/power_law_spring.h"
 #include "advice/softness.h"
 
@@ -98,14 +99,10 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
                          c.springs.exponent == 1.0});
 }
 
-/// Approach speed below which a pair sticks, [length/time]. Where the spring is not linear: of the
-/// linear springs of an impact at this very speed.
+/// Approach speed below which a pair sticks, [length/time].
 inline double escape_velocity(const AdvisedContact& c, const RunNumbers& run) {
-  double speed = numbers(c, run).escape_velocity();
-  if (c.springs.exponent == 1.0) return speed;
-  // For Hertz K ~ u^(2/5) and v_esc ~ K^(-1/2): an error becomes a fifth of itself.
-  for (int k = 0; k < 20; k++) speed = numbers(c, {speed, 0.0, run.dt}).escape_velocity();
-  return speed;
+  if (c.springs.exponent == 1.0) return numbers(c, run).escape_velocity();
+  return escape_velocity(c.springs.hertz(c.reduced_mass()), c.adhesion);
 }
 
 namespace detail {
@@ -115,11 +112,6 @@ inline std::string number(const char* format, double value) {
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
-
-/// Accuracy of v_esc where linear springs stand for those of Hertz, by an integration of these.
-constexpr const char* ESCAPE_OF_LINEAR_SPRINGS =
-    "  v_esc is that of the linear springs: lower than that of the contact itself, by 8 % at a\n"
-    "  restitution of 0.9, 13 % at 0.5 and 18 % at 0.3\n";
 
 /// What a row begins with.
 inline std::string name(const AdvisedContact& c) {
@@ -218,10 +210,6 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
   }
-  if (std::any_of(contacts.begin(), contacts.end(), [](const AdvisedContact& c) {
-        return c.moves() && c.adhesion.force > 0.0 && c.springs.exponent != 1.0;
-      }))
-    report.table += detail::ESCAPE_OF_LINEAR_SPRINGS;
   detail::add_softness(report, style, contacts, run);
   return report;
 }

@@ -23,6 +23,16 @@ struct ContactSprings {
   double rolling_damping = 0.0;       ///< eta_r, [mass/time]; the same
   double exponent = 1.0;              ///< p, [1]
   double overlap = 0.0;               ///< x at which they are this; read unless p = 1, [length]
+  /// How the dashpot of p = 3/2 grows; linear_springs() takes it for the fourth root.
+  contact::HertzSpringDashpot::Damping power = contact::HertzSpringDashpot::Damping::fourth_root;
+
+  /// Of p = 3/2, on the reduced mass mu [mass].
+  contact::HertzSpringDashpot hertz(double reduced_mass) const {
+    const double root = std::sqrt(overlap);
+    const bool fourth_root = power == contact::HertzSpringDashpot::Damping::fourth_root;
+    return {stiffness / root, power, damping / (fourth_root ? std::sqrt(root) : root),
+            reduced_mass};
+  }
 };
 
 /// Of a contact: where its spring is not linear, at a small overlap. reduced_radius [length]: R* of

@@ -117,18 +117,14 @@ class Table(unittest.TestCase):
         self.near(row["impact"], 0.949 * deepest / (2 * RADIUS), TWO)
 
     def test_accuracy_of_the_escape_velocity_of_hertz(self):
-        """By Runge-Kutta integrations of its impact, in steps of 1/300 of x/u, spheres of 1 mm: 0.018327, 0.072755 and
-        0.14128 m/s. At any speed of the particles."""
-        for restitution, exact, low in ((0.9, 0.018327, 0.08), (0.5, 0.072755, 0.13), (0.3, 0.14128, 0.18)):
+        """By integrations of its impact (theory/hertz_contact.py), spheres of 1 mm: 0.018322, 0.072754 and 0.141285 m/s. At any speed of the particles."""
+        for restitution, exact in ((0.9, 0.018322), (0.5, 0.072754), (0.3, 0.141285)):
             contacts = contact().replace("Restitution peratomtypepair 2 0.9 0.9 0.9 0.9",
                                          f"Restitution peratomtypepair 2{4 * f' {restitution}'}")
             for speed in (0.1 * exact, 5 * exact):
                 run = go("model hertz tangential off cohesion hamaker", hamaker(A, cut=CUT, out=OUT),
                          [sphere((0, 0, 0), (speed, 0, 0)), sphere((3e-3, 0, 0))], dt=1e-8, contacts=contacts)
-                self.assertAlmostEqual(rows(run)["1 - 1"]["escape"] / exact, 1 - low, delta=0.005 + THREE)
-                self.assertIn("v_esc is that of the linear springs: lower", run.output)
-                self.assertIn("by 8 % at a\n  restitution of 0.9, 13 % at 0.5 and 18 % at 0.3\n", run.output)
-        self.assertNotIn("v_esc is that", go(LINEAR, hamaker(A, cut=CUT, out=OUT)).output)
+                self.assertAlmostEqual(rows(run)["1 - 1"]["escape"] / exact, 1, delta=1e-3 + THREE)
 
     def test_walls_of_the_same_numbers_share_a_table(self):
         planes = [f"primitive type 2 {axis}plane -5e-3" for axis in "xyz"]
