@@ -9,7 +9,6 @@ from cohesion_tests.liggghts import Run
 from cohesion_tests.liggghts_scenes import pull_off
 from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
 from cohesion_tests.liggghts_scenes.scene import RADIUS, contact, hamaker, script, sphere
-from cohesion_tests.theory import slow_ramp
 from cohesion_tests.theory.hertz_contact import CUT, OUT, HertzPair
 
 A, DIAMETER = 7.49e-19, 2 * RADIUS
@@ -79,6 +78,42 @@ class Hertz(unittest.TestCase):
                     print(f"e {restitution}, t_c/{division}, {name}, {degrees} degrees: slowest parted {slowest}, fastest "
                           f"captured {fastest}", file=sys.stderr)
                     self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
+
+    def test_strength(self):
+        # The lag of the ramp and how it is read: slow_ramp.py, pull_off.py.
+        for partner in pull_off.PARTNERS:
+            for division in (10, 20):
+                found = pull_off.HertzGrain(5e6, 0.9, partner=partner).load_at_parting(division)
+                print(f"{partner}, t_c/{division}: {found:.4f} F_ad", file=sys.stderr)
+                self.assertAlmostEqual(found, 1.0, delta=0.01)
+
+    def test_a_tangential_spring_that_stiffens_gives_no_energy(self):
+        # Elastic impacts that stick: the engine alone (sampled), and its tangential model under scheme exact.
+        for scheme in ("sampled", "exact"):
+            for degrees in (5, 20, 45, 70, 85):
+                left = self.left_after_sticking(scheme, degrees)
+                print(f"{scheme}, {degrees} degrees: {left - 1:.2e}", file=sys.stderr)
+                if scheme == "exact":
+                    self.assertLess(left, 1 + 1e-3)
+
+    def left_after_sticking(self, scheme, degrees, division=20):
+        """The most energy that is left after an impact, over that before, of eight positions in the step."""
+        pair, speed, angle = HertzPair(5e6, 1 - 1e-12, DIAMETER, poisson=0.3), 0.1, math.radians(degrees)
+        dt, spheres = pair.contact_time(speed) / division, []
+        for position in range(8):
+            late = (1 + position / 8) * dt
+            v = (-speed * math.cos(angle), speed * math.sin(angle), 0)
+            y = -8e-3 + 2e-3 * position
+            spheres += [sphere((0, y, 0)), sphere((DIAMETER - v[0] * late, y - v[1] * late, 0), v)]
+        models = "model hertz tangential history cohesion hamaker"
+        text = script(spheres, f"{models} tangential_damping off scheme {scheme}", hamaker(0, cut=CUT, out=OUT), dt=dt,
+                      steps=5 * division, every=5 * division, contacts=contacts(1.0, friction=1e6))
+        end = Run(text).frames("out.txt")[-1]
+        most = 0.0
+        for n in range(1, 17, 2):
+            after = sum(math.hypot(*end[k][3:6])**2 + 0.4 * RADIUS**2 * math.hypot(*end[k][6:9])**2 for k in (n, n + 1))
+            most = max(most, after / speed**2)
+        return most
 
 
 if __name__ == "__main__":

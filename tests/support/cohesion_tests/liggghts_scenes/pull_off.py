@@ -19,25 +19,31 @@ LOADS = ("addforce", "gravity", "wall")
 class Grain(slow_ramp.Grain):
     """A grain of slow_ramp; partner: one of PARTNERS."""
 
+    models = "model hooke/stiffness tangential off cohesion hamaker"
+    keywords = "absolute_damping on tangential_damping off"
+
+    def properties(self):
+        constants = {"kn": self.stiffness, "kt": self.stiffness, "gamman_abs": self.damping, "gammat_abs": 0.0,
+                     "coefficientFriction": 0.5}
+        return "".join(f"fix {name} all property/global {name} peratomtypepair 2 {value!r} {value!r} {value!r} {value!r}\n"
+                       for name, value in constants.items())
+
     def script(self, division, scheme, pulled_by):
         """division: steps per contact; pulled_by: addforce, gravity, or wall: a plate of triangles below, which attracts
         three times as much and moves away slowly with the grain."""
         d, steps = self.diameter, self.steps(division)
         side = 4 * d
-        at_rest = self.force / self.stiffness  # overlap
+        at_rest = self.overlap_at_rest
         near = (d if self.partner == "pair" else d / 2) - at_rest
         height = 2 * side - near
         dt = self.contact_time / division
-        models = "model hooke/stiffness tangential off cohesion hamaker"
-        keywords = f"absolute_damping on tangential_damping off scheme {scheme}"
+        models, keywords = self.models, f"{self.keywords} scheme {scheme}"
         walls = {"plane": f"primitive type 1 zplane {2 * side!r}",
                  "cylinder": f"primitive type 1 xcylinder {side!r} {side!r} {side!r}",
                  "mesh": "mesh n_meshes 1 meshes plate"}
         wall = "" if self.partner == "pair" else f"fix wall all wall/gran {models} {walls[self.partner]} {keywords}\n"
         if self.partner == "mesh":
             wall = "fix plate all mesh/surface file plate.stl type 1\n" + wall
-        constant = {"kn": self.stiffness, "kt": self.stiffness, "gamman_abs": self.damping, "gammat_abs": 0.0,
-                    "coefficientFriction": 0.5}
         load = f"{self.force * TOP!r}*(step/{steps})"
         loaded = f"{load}/{self.force!r}"
         if pulled_by == "gravity":
@@ -58,8 +64,7 @@ class Grain(slow_ramp.Grain):
             "units si\natom_style granular\natom_modify map array\nboundary f f f\nnewton off\n"
             f"communicate single vel yes\nregion box block 0 {2 * side!r} 0 {2 * side!r} 0 {2.5 * side!r} units box\n"
             f"create_box 2 box\nneighbor {d / 2!r} bin\nneigh_modify delay 0\n"
-            + "".join(f"fix {name} all property/global {name} peratomtypepair 2 {value!r} {value!r} {value!r} {value!r}\n"
-                      for name, value in constant.items())
+            + self.properties()
             + f"fix A all property/global hamakerConstant peratomtypepair 2 {A} {3 * A!r} {3 * A!r} {A}\n"
             f"fix cut all property/global hamakerSurfaceCutoff scalar {CUT}\n"
             f"fix out all property/global hamakerOuterCutoff scalar {OUT}\n"
@@ -76,13 +81,13 @@ class Grain(slow_ramp.Grain):
         """Over F_ad; infinite where it does not part. Read to 0.0003 of it."""
         side = 8 * self.diameter
         # The lower plate touches the grain at its place of rest, three times as deep.
-        low = side - self.diameter + 4 * self.force / self.stiffness
+        low = side - self.diameter + 4 * self.overlap_at_rest
         inputs = {name: stl(rectangle((0, 0, z), (side, 0, 0), (0, side, 0), 3))
                   for name, z in (("plate.stl", side), ("low.stl", low))}
         run = Run(self.script(division, scheme, pulled_by), inputs=inputs)
         if run.code:
             raise AssertionError(run.output[-3000:])
-        opened = self.force / self.stiffness + CUT  # since the start
+        opened = self.overlap_at_rest + CUT  # since the start
         before = 0.0
         for line in run.output.splitlines():
             words = line.split()
@@ -91,3 +96,21 @@ class Grain(slow_ramp.Grain):
                     return before if pulled_by == "wall" else float(words[2])
                 before = float(words[2])
         return math.inf
+
+
+class HertzGrain(Grain, slow_ramp.HertzGrain):
+    """The same with model hertz: E [Pa], nu 0.25."""
+
+    models = "model hertz tangential off cohesion hamaker"
+    keywords = "tangential_damping off"
+
+    def __init__(self, modulus, *words, **partner):
+        self.modulus = modulus
+        slow_ramp.HertzGrain.__init__(self, modulus, *words, **partner)
+
+    def properties(self):
+        e = self.restitution
+        return (f"fix E all property/global youngsModulus peratomtype {self.modulus!r} {self.modulus!r}\n"
+                "fix nu all property/global poissonsRatio peratomtype 0.25 0.25\n"
+                f"fix e all property/global coefficientRestitution peratomtypepair 2 {e!r} {e!r} {e!r} {e!r}\n"
+                "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n")
