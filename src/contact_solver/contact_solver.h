@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <variant>
 
 #include "contact/adhesion.h"
 #include "contact/normal_law.h"
 #include "contact_solver/contact_state.h"
 #include "contact_solver/energy_account.h"
-#include "contact_solver/first_root.h"
-#include "contact_solver/flight.h"
-#include "contact_solver/normal_motion.h"
+#include "contact_solver/pair_course.h"
 
 namespace cohesion::contact_solver {
 
@@ -33,28 +31,18 @@ namespace cohesion::contact_solver {
 /// at F_ad.
 ///
 /// Source: derived here, see docs/theory/exact_contacts.md.
-class ContactSolver {
+class ContactSolver : public PairCourse {
  public:
   /// contact_distance [length]: of the centres at touch, or the radius next to a wall; step [time].
   ContactSolver(const contact::NormalLaw& law, const contact::Adhesion& adhesion,
                 double contact_distance, double step)
       : ContactSolver(law, adhesion, contact_distance, step, adhesion.cutoff, adhesion.cutoff) {}
-  virtual ~ContactSolver() = default;
-
-  double range() const { return range_; }
-  /// Distance up to which a pair is in range, [length].
-  double outer_distance() const { return contact_distance_ + range_; }
-  /// Distance up to which a pair comes into range, [length].
-  double entry_distance() const { return contact_distance_ + entry_; }
-  double step() const { return step_; }
-  /// What moves the pair in contact.
-  const ContactMotion& contact() const { return motion_.contact(); }
 
   /// Whether anything can happen to a pair in the step that begins here. `external`
   /// [length/time^2]: acceleration of the distance by other forces.
   bool within_reach(const StaggeredMotion& now, double external) const {
-    const double inwards = std::max(-now.rate, 0.0) + std::max(-external, 0.0) * step_;
-    return now.distance <= outer_distance() + step_ * inwards;
+    const double inwards = std::max(-now.rate, 0.0) + std::max(-external, 0.0) * step();
+    return now.distance <= outer_distance() + step() * inwards;
   }
 
   /// Whether the force of the last step was an impulse, which other contacts do not see.
@@ -64,8 +52,8 @@ class ContactSolver {
   double external(double by_all, const StaggeredMotion& now, const ContactState& state) const {
     const double own = lasting_force(state);
     if (own == 0.0) return by_all;
-    const double along = now.distance - step_ * now.rate;
-    return by_all - own / reduced_mass_ * along / std::hypot(along, step_ * now.sideways);
+    const double along = now.distance - step() * now.rate;
+    return by_all - own / reduced_mass_ * along / std::hypot(along, step() * now.sideways);
   }
 
   /// A step of a contact that was persistent in the last one and certainly is in this one. False,
@@ -73,15 +61,15 @@ class ContactSolver {
   [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
                                                  double& repulsion) const {
     const double load = load_of(now.rate, state);
-    PersistentStep step;
-    const ContactPoint point{contact_distance_ - now.distance, now.rate};
+    PersistentStep result;
+    const ContactPoint point{contact_distance() - now.distance, now.rate};
     if (const auto* linear = std::get_if<LinearContact>(&contact())) {
-      if (!linear->advance_persistent(point, load, state, step)) return false;
-    } else if (!advance_integrated(now, point, load, state, step)) {
+      if (!linear->advance_persistent(point, load, state, result)) return false;
+    } else if (!advance_integrated(now, point, load, state, result)) {
       return false;
     }
-    go_on(now.rate, load - now.centrifugal, step, state);
-    repulsion = step.repulsion;
+    go_on(now.rate, load - now.centrifugal, result, state);
+    repulsion = result.repulsion;
     return true;
   }
 
@@ -90,16 +78,16 @@ class ContactSolver {
   /// first step of a run, whose velocity is that of the time level itself.
   ContactStep advance(const StaggeredMotion& now, double external, double velocity_step,
                       ContactState& state) const {
-    ContactStep step;
-    if (velocity_step == step_ && state.in_contact() &&
-        stays_persistent(now, external, state, step))
-      return step;
+    ContactStep result;
+    if (velocity_step == step() && state.in_contact() &&
+        stays_persistent(now, external, state, result))
+      return result;
     return resolve(now, external, velocity_step, state);
   }
 
   /// The true rate of the distance at the time level by the contact itself, less the staggered one.
   double offset(const StaggeredMotion& now, double external, const ContactState& state) const {
-    return true_rate(now, external, state) - now.rate - 0.5 * step_ * external;
+    return true_rate(now, external, state) - now.rate - 0.5 * step() * external;
   }
   /// The discrete force of spring and dashpot at a time level that a persistent contact has
   /// reached, [force].
@@ -126,7 +114,7 @@ class ContactSolver {
         [&](const auto& c) {
           return state.phase == ContactState::persistent
                      ? c.dissipation(point(now), now, state,
-                                     adhesion_energy(contact_distance_ - now.distance))
+                                     adhesion_energy(contact_distance() - now.distance))
                      : c.late_dissipation(now, state);
         },
         contact());
@@ -135,47 +123,35 @@ class ContactSolver {
   /// Of a contact with friction: EnergyAccount.
   void leave_out_exchange() { account_.leave_out_exchange(); }
 
-  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
-  virtual double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
-
  protected:
   /// range [length]: gap up to which a pair is inside, the adhesion's or that of a derived law;
   /// entry [length]: gap at which it comes inside.
   ContactSolver(const contact::NormalLaw& law, const contact::Adhesion& adhesion,
                 double contact_distance, double step, double range, double entry)
-      : motion_(law, adhesion, step),
-        contact_distance_(contact_distance),
-        range_(range),
-        entry_(entry),
+      : PairCourse(law, adhesion, contact_distance, step, range, entry),
         reduced_mass_(contact::reduced_mass(law)),
-        step_(step),
         inverse_step_(1.0 / step),
         inverse_mass_(1.0 / reduced_mass_),
         account_(reduced_mass_, step) {}
 
-  /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
-  static constexpr int max_segments = 100;
-
-  double contact_distance() const { return contact_distance_; }
-
   /// A step that is not certainly persistent.
   virtual ContactStep resolve(const StaggeredMotion& at, double external, double velocity_step,
                               ContactState& state) const {
-    ContactStep step;
+    ContactStep result;
     const ContactState before = state;
-    const bool first = velocity_step < step_;
+    const bool first = velocity_step < step();
     bool in_range = before.in_range();
     // Before the first step of a run nothing has moved.
     const bool stands = (first ? before.is_outside() : before.phase == ContactState::unknown) &&
-                        at.stands_within(entry_distance(), first ? 0.0 : step_);
+                        at.stands_within(entry_distance(), first ? 0.0 : step());
     if (stands) in_range = true;
     Flight now{at.distance, first ? at.rate : true_rate(at, external, before), at.sideways};
     const Flight start = now;
     const double load = outward(start, external);
     const double account = first || stands ? EnergyAccount::at_start(stored(at, in_range))
                                            : account_up_to(at, external, before);
-    const bool touches = in_range && stays_in_contact(now, load, step.normal);
-    const bool event = !touches && move(now, external, in_range, step.normal);
+    const bool touches = in_range && stays_in_contact(now, load, result.normal);
+    const bool event = !touches && move(now, external, in_range, result.normal);
     const bool flies = !touches && !event;
     state = {};
     state.phase = in_range ? ContactState::inside : ContactState::outside;
@@ -185,38 +161,38 @@ class ContactSolver {
         state.force_before = lasting_force(before);
         state.external_before = external;
       }
-      return step;  // not to carry the rounding of no change into the force
+      return result;  // not to carry the rounding of no change into the force
     }
     // The distance is the pair's; direction and flight across it are those of its particles.
-    const double across = step_ * at.sideways;
+    const double across = step() * at.sideways;
     const double along = std::sqrt(std::max(now.distance * now.distance - across * across, 0.0));
-    const double mean = (along - at.distance) / step_;
-    step.force = reduced_mass_ * ((mean - at.rate) / velocity_step - external);
-    if (flies && !before.in_range() && settles(at, external, account, before, step.force))
+    const double mean = (along - at.distance) / step();
+    result.force = reduced_mass_ * ((mean - at.rate) / velocity_step - external);
+    if (flies && !before.in_range() && settles(at, external, account, before, result.force))
       state.phase = ContactState::settling;
     if (touches) state.phase = ContactState::touching;
     if (event) state.phase = in_range ? ContactState::entered : ContactState::left;
     // Of the distance, along the normal at the next time level.
     const double staggered = (along * mean + across * at.sideways) / now.distance;
-    if (!flies) state.velocity_offset = now.radial - staggered - 0.5 * step_ * external;
-    state.last_rate = at.mean_rate(step_);
-    state.force = step.force;
+    if (!flies) state.velocity_offset = now.radial - staggered - 0.5 * step() * external;
+    state.last_rate = at.mean_rate(step());
+    state.force = result.force;
     state.force_before = lasting_force(before);
     state.external_before = external;
-    state.contact_time = step.normal.contact_time;
-    step.dissipated = std::visit(
+    state.contact_time = result.normal.contact_time;
+    result.dissipated = std::visit(
         [&](const auto& c) {
-          return c.early_dissipation(step.normal.dissipated, state.contact_time, staggered);
+          return c.early_dissipation(result.normal.dissipated, state.contact_time, staggered);
         },
         contact());
     state.account = account +
-                    (first ? account_.work_of_first_force(step.force, at, mean)
-                           : account_.work(step.force, at)) +
-                    step.dissipated;
+                    (first ? account_.work_of_first_force(result.force, at, mean)
+                           : account_.work(result.force, at)) +
+                    result.dissipated;
     // What the discrete force does later or earlier than the motion counts as the spring's.
-    const double true_force = reduced_mass_ * ((now.radial - start.radial) / step_ - load);
-    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
-    return step;
+    const double true_force = reduced_mass_ * ((now.radial - start.radial) / step() - load);
+    result.repulsion = result.normal.repulsion_impulse / step() + result.force - true_force;
+    return result;
   }
 
   /// Sets the force of a pair that has left its range so that its account closes; whether the
@@ -230,114 +206,15 @@ class ContactSolver {
     return !settling || !closed || account_.is_open(at, account, before);
   }
 
-  /// Integrates everything that can happen to a pair in a step; whether anything did.
-  bool move(Flight& now, double external, bool& in_range, NormalRecord& record) const {
-    Course course{!in_range && starts_in_range(now), now.distance < contact_distance_};
-    in_range = in_range || course.event;
-    double left = step_;
-    for (int segments = 0; left > 0.0 && !record.unresolved; segments++) {
-      if (segments == max_segments) {
-        record.unresolved = true;
-      } else if (in_range) {
-        left -= move_in_range(now, left, external, in_range, course, record);
-      } else {
-        left -= fly(now, left, external, in_range);
-        course.event = course.event || in_range;
-        course.touching = in_range;
-      }
-    }
-    return course.event;
-  }
-
-  /// What a step has brought so far.
-  struct Course {
-    bool event;  ///< whether anything but free flight
-    /// Of a range that begins at touch: the pair is in contact, which rounding of its distance does
-    /// not say where it has just touched or parted.
-    bool touching;
-  };
-  /// Moves a pair in range for at most `time`, up to the next change of what acts on it. Returns
-  /// the time it took.
-  virtual double move_in_range(Flight& now, double time, double external, bool& in_range,
-                               Course& course, NormalRecord& record) const {
-    course.event = true;
-    return advance_in_range(now, time, external, in_range, record);
-  }
-
-  /// Centrifugal acceleration of a turning pair.
-  double turning(const Flight& now) const {
-    if (!(contact_distance_ > 0.0)) return now.outward(0.0);
-    const double rate = now.distance / contact_distance_ * now.sideways;
-    return rate * rate / contact_distance_;
-  }
-  /// The same and that by other forces.
-  double outward(const Flight& now, double external) const { return turning(now) + external; }
-  bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
-    Overlap s{contact_distance_ - now.distance, -now.radial};
-    if (!motion_.advance_whole_step(s, load, record)) return false;
-    put(now, s);
-    return true;
-  }
-
-  void put(Flight& now, const Overlap& s) const {
-    const double distance = contact_distance_ - s.x;
-    now = {distance, -s.v, now.sideways * now.distance / distance};
-  }
-
-  /// Advances a pair in the range of the adhesion, until it leaves it or the time is over; returns
-  /// the time it took.
-  double advance_in_range(Flight& now, double time, double external, bool& in_range,
-                          NormalRecord& record) const {
-    Overlap s{contact_distance_ - now.distance, -now.radial};
-    const double taken = motion_.advance(s, time, outward(now, external), in_range, record);
-    put(now, s);
-    return taken;
-  }
-
-  /// Lets a pair that counts as outside, but was pushed inside, enter where it is, if it approaches
-  /// or already overlaps.
-  bool starts_in_range(Flight& now) const {
-    if (now.distance >= entry_distance()) return false;
-    if (now.radial >= 0.0 && now.distance >= contact_distance_) return false;
-    enter(now);
-    return true;
-  }
-
-  virtual void enter(Flight& now) const {
-    now.radial = -motion_.enter({contact_distance_ - now.distance, -now.radial}).v;
-  }
-
-  /// Flies outside the range until its edge is met or the time is over; returns the time it took.
-  /// Across the normal the flight is straight; along it the other forces act.
-  double fly(Flight& now, double time, double external, bool& in_range) const {
-    const double outer = entry_distance();
-    const Flight start = now;
-    double t = time;
-    if (start.distance >= outer) {
-      const double drive = start.outward(external);
-      const bool at_edge = start.distance == outer;
-      const bool comes_in = start.radial < 0.0 || (start.radial == 0.0 && drive < 0.0);
-      const double meet =
-          at_edge && comes_in ? 0.0 : first_root(start.distance - outer, start.radial, drive);
-      if (meet < time) {
-        t = meet;
-        in_range = true;
-      }
-    }
-    now = in_range ? start.at_meeting(t, time, external, outer) : start.after(t, external);
-    if (in_range) enter(now);
-    return t;
-  }
-
  private:
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
-                        ContactStep& step) const {
+                        ContactStep& result) const {
     if (state.phase == ContactState::persistent) {
       const DistanceMotion distance =
           DistanceMotion::of_pair(now.distance, 1.0 / now.distance, now.rate,
-                                  now.rate * now.rate + now.sideways * now.sideways, step_);
-      if (!advance_persistent(distance, state, step.repulsion)) return false;
-      step.force = state.force;
+                                  now.rate * now.rate + now.sideways * now.sideways, step());
+      if (!advance_persistent(distance, state, result.repulsion)) return false;
+      result.force = state.force;
     } else {
       const double load = outward({now.distance, now.rate, now.sideways}, external);
       const ContactPoint here = point(now);
@@ -348,13 +225,13 @@ class ContactSolver {
       if (!begins) return false;
       first.account += account_up_to(now, external, state) - state.account -
                        account_.exchanged(state.force, external, state);
-      step.force = first.force;
-      step.repulsion = first.repulsion;
+      result.force = first.force;
+      result.repulsion = first.repulsion;
       go_on(here.rate, external, first, state);
     }
-    step.normal.contact_time = step_;
-    step.normal.repulsion_impulse = step_ * step.repulsion;
-    step.normal.repulsion_at_end = step.repulsion;
+    result.normal.contact_time = step();
+    result.normal.repulsion_impulse = step() * result.repulsion;
+    result.normal.repulsion_at_end = result.repulsion;
     return true;
   }
 
@@ -365,23 +242,23 @@ class ContactSolver {
   /// advance_persistent() of a law without a closed form.
   [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, const ContactPoint& point,
                                             double load, const ContactState& state,
-                                            PersistentStep& step) const {
-    const auto& contact =
-        std::get<IntegratedContact<contact::HertzSpringDashpot>>(motion_.contact());
-    return contact.advance_persistent(point, load, now.centrifugal, state,
-                                      adhesion_energy(point.overlap), step);
+                                            PersistentStep& result) const {
+    const auto& integrated =
+        std::get<IntegratedContact<cohesion::contact::HertzSpringDashpot>>(this->contact());
+    return integrated.advance_persistent(point, load, now.centrifugal, state,
+                                         adhesion_energy(point.overlap), result);
   }
 
-  [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& step,
+  [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& result,
                                     ContactState& state) const {
-    state.account += step.account + account_.exchanged(state.force, external, state);
+    state.account += result.account + account_.exchanged(state.force, external, state);
     state.phase = ContactState::persistent;
-    state.velocity_offset = step.true_rate;
+    state.velocity_offset = result.true_rate;
     state.last_rate = rate;
     state.force_before = state.force;
-    state.force = step.force;
+    state.force = result.force;
     state.external_before = external;
-    state.contact_time = step_;
+    state.contact_time = step();
   }
 
   double lasting_force(const ContactState& state) const {
@@ -391,7 +268,7 @@ class ContactSolver {
   /// The energy in the contact of a pair that stands where it is first seen.
   double stored(const StaggeredMotion& now, bool in_range) const {
     if (!in_range) return 0.0;
-    const double overlap = contact_distance_ - now.distance;
+    const double overlap = contact_distance() - now.distance;
     return spring_energy(overlap) + adhesion_energy(overlap);
   }
 
@@ -399,7 +276,7 @@ class ContactSolver {
   /// for half a step and the stored offset; in a persistent contact by its law.
   double true_rate(const StaggeredMotion& now, double external, const ContactState& state) const {
     if (state.phase != ContactState::persistent)
-      return now.rate + state.velocity_offset + 0.5 * step_ * external;
+      return now.rate + state.velocity_offset + 0.5 * step() * external;
     const double load = outward({now.distance, now.rate, now.sideways}, external);
     const ContactPoint here = point(now);
     return std::visit(
@@ -410,7 +287,7 @@ class ContactSolver {
   }
 
   ContactPoint point(const StaggeredMotion& now) const {
-    return {contact_distance_ - now.distance, now.mean_rate(step_)};
+    return {contact_distance() - now.distance, now.mean_rate(step())};
   }
 
   /// R up to this time level without the work of the force that begins here, which is not known
@@ -429,12 +306,8 @@ class ContactSolver {
                            contact());
   }
 
-  NormalMotion motion_;
-  double contact_distance_;
-  double range_;
-  double entry_;
   double reduced_mass_;
-  double step_, inverse_step_;
+  double inverse_step_;
   double inverse_mass_;
   EnergyAccount account_;
 };
