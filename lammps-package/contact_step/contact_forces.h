@@ -47,15 +47,16 @@ class ContactForces {
   double owned_fraction(int j) const { return j < nlocal_ ? 1.0 : 0.5; }
 
   /// Computes a contact that was persistent and certainly is so in this step, of which the energy
-  /// tally asks nothing: what most contacts of a bed need, and only that. `does`: what it does.
-  /// False: nothing is done.
+  /// tally asks nothing: what most contacts of a bed need, and only that. `does`: what it does;
+  /// linear: as ExactContact has it. False: nothing is done.
+  template <bool linear>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, int i, int j,
                                                const PairMotion& now, double* values,
                                                FrictionalStep& does) const {
     ContactState::restore_signs(values);
     if (!persistent_) return false;
     if (c.is_idle(now.relative, values, moved_by_forces_)) return true;
-    if (!c.template advance_persistent<SIZE>(now, values, does)) return false;
+    if (!c.template advance_persistent<SIZE, linear>(now, values, does)) return false;
     Vector3 pushed = kick_ * does.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
     if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);

@@ -96,6 +96,11 @@ class CohesiveCoefficients : protected Pointers {
   double range_of_attraction(int of_types) const {
     return Cohesion::range(Scheme::sampled, parameters_[of_types], 1.0, 1.0);
   }
+  /// Whether all contacts have linear springs. Of the given ones: mixing adds no others.
+  bool all_linear() const {
+    return std::none_of(parameters_.begin(), parameters_.end(),
+                        [](const Parameters& p) { return p.contact.is_hertz(); });
+  }
   /// Whether any contact resists rolling. Of the given ones: mixing adds none.
   bool any_rolls() const {
     return std::any_of(parameters_.begin(), parameters_.end(),

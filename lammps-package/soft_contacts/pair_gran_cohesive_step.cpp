@@ -118,9 +118,9 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
   const ContactForces<Contact, SIZE> forces(atom, step);
   const StaggeredParticles now = particles();
-  // A step whose fluxes somebody asks for has a loop of its own: what contacts do stays in
-  // registers otherwise.
-  const auto loop = [&](auto sums_flux) {
+  // A step whose fluxes somebody asks for has a loop of its own, and so have contacts that are not
+  // all linear: what contacts do stays in registers otherwise.
+  const auto loop = [&](auto sums_flux, auto linear) {
     const bool asked = evflag;
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
@@ -129,16 +129,19 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
       const Contact& law = contacts.all[c];
       FrictionalStep does;
       if (!*pair.has_history || asked ||
-          !forces.apply_persistent(law, i, j, now.motion(i, j), pair.history, does))
+          !forces.template apply_persistent<linear>(law, i, j, now.motion(i, j), pair.history,
+                                                    does))
         compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
       else if constexpr (sums_flux)
         add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
     });
   };
   if (step->sums_flux())
-    loop(std::true_type());
+    loop(std::true_type(), std::false_type());
+  else if (coefficients.all_linear())
+    loop(std::false_type(), std::true_type());
   else
-    loop(std::false_type());
+    loop(std::false_type(), std::false_type());
 }
 
 template <class Cohesion>

@@ -76,6 +76,9 @@ class HertzSpringDashpot {
     return p;
   }
 
+  /// The stiffness at one overlap > 0 over that at another.
+  static double stiffness_ratio(double x, double to) { return std::sqrt(x / to); }
+
   /// The time of an elastic impact that touches at speed v [length/time]: 2.9433 (m/v^(1/5)), with
   /// m = (5 mu/(4 k))^(2/5).
   double contact_time(double speed) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <variant>
 
 #include "contact/adhesion.h"
@@ -56,21 +57,19 @@ class ContactSolver : public PairCourse {
     return by_all - own / reduced_mass_ * along / std::hypot(along, step() * now.sideways);
   }
 
+  /// Whether contacts move in closed form.
+  bool is_linear() const { return std::holds_alternative<LinearContact>(contact()); }
   /// A step of a contact that was persistent in the last one and certainly is in this one. False,
   /// and nothing done, where that is not certain. The other forces are known from the motion.
   [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
                                                  double& repulsion) const {
-    const double load = load_of(now.rate, state);
-    PersistentStep result;
-    const ContactPoint point{contact_distance() - now.distance, now.rate};
-    if (const auto* linear = std::get_if<LinearContact>(&contact())) {
-      if (!linear->advance_persistent(point, load, state, result)) return false;
-    } else if (!advance_integrated(now, point, load, state, result)) {
-      return false;
-    }
-    go_on(now.rate, load - now.centrifugal, result, state);
-    repulsion = result.repulsion;
-    return true;
+    return is_linear() ? advance_persistent_as<LinearContact>(now, state, repulsion)
+                       : advance_integrated(now, state, repulsion);
+  }
+  /// The same of a contact that is known to be linear.
+  [[gnu::always_inline]] bool advance_linear(const DistanceMotion& now, ContactState& state,
+                                             double& repulsion) const {
+    return advance_persistent_as<LinearContact>(now, state, repulsion);
   }
 
   /// Any step. `external` as above, constant in the step; `velocity_step` [time]: how long the
@@ -239,14 +238,28 @@ class ContactSolver : public PairCourse {
   double load_of(double mean_rate, const ContactState& state) const {
     return (mean_rate - state.last_rate) * inverse_step_ - state.force * inverse_mass_;
   }
-  /// advance_persistent() of a law without a closed form.
-  [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, const ContactPoint& point,
-                                            double load, const ContactState& state,
-                                            PersistentStep& result) const {
-    const auto& integrated =
-        std::get<IntegratedContact<cohesion::contact::HertzSpringDashpot>>(this->contact());
-    return integrated.advance_persistent(point, load, now.centrifugal, state,
-                                         adhesion_energy(point.overlap), result);
+  /// advance_persistent(), by what moves the contact.
+  template <class Contact>
+  [[gnu::always_inline]] bool advance_persistent_as(const DistanceMotion& now, ContactState& state,
+                                                    double& repulsion) const {
+    const Contact& by_law = *std::get_if<Contact>(&contact());
+    const double load = load_of(now.rate, state);
+    PersistentStep result;
+    ContactPoint point{contact_distance() - now.distance, now.rate};
+    if constexpr (std::is_same_v<Contact, LinearContact>) {
+      if (!by_law.advance_persistent(point, load, state, result)) return false;
+    } else if (!by_law.advance_persistent(point, load, now.centrifugal, state,
+                                          adhesion_energy(point.overlap), result)) {
+      return false;
+    }
+    go_on(now.rate, load - now.centrifugal, result, state);
+    repulsion = result.repulsion;
+    return true;
+  }
+  [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, ContactState& state,
+                                            double& repulsion) const {
+    return advance_persistent_as<IntegratedContact<cohesion::contact::HertzSpringDashpot>>(
+        now, state, repulsion);
   }
 
   [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& result,

@@ -44,9 +44,8 @@ class ContactSpring {
   }
   /// What is left of a stretch from one overlap [length] to another.
   double left_of_stretch(double before, double now) const {
-    if (!stiffens_) return 1.0;
-    const double softer = point(before).stiffness, stiffer = point(now).stiffness;
-    return stiffer > softer ? softer / stiffer : 1.0;
+    if (!stiffens_ || !(now > before) || !(now > 0.0)) return 1.0;
+    return contact::HertzSpringDashpot::stiffness_ratio(std::max(before, 0.0), now);
   }
 
  private:

@@ -84,8 +84,9 @@ class ExactContact {
   }
 
   /// A step of a contact that was persistent in the last one and certainly is in this one; false,
-  /// and nothing done, where that is not certain. `values`: the stored history.
-  template <int SIZE>
+  /// and nothing done, where that is not certain. `values`: the stored history. linear: the contact
+  /// is known to be; all that such a one needs fits into registers.
+  template <int SIZE, bool linear = false>
   [[gnu::always_inline]] bool advance_persistent(const PairMotion& now, double* values,
                                                  FrictionalStep& step) const {
     if (values[0] != ContactState::persistent) return false;
@@ -96,9 +97,10 @@ class ExactContact {
     double repulsion;
     const double rate = inverse * dot(s, v);
     const double speed_squared = bodies_.is_wall() ? rate * rate : dot(v, v);
-    if (!solver_.advance_persistent(
-            DistanceMotion::of_pair(square * inverse, inverse, rate, speed_squared, step_), normal,
-            repulsion))
+    DistanceMotion motion =
+        DistanceMotion::of_pair(square * inverse, inverse, rate, speed_squared, step_);
+    if (!(linear ? solver_.advance_linear(motion, normal, repulsion)
+                 : solver_.advance_persistent(motion, normal, repulsion)))
       return false;
     normal.store_persistent(values);
     step.repulsion = step_ * repulsion;
@@ -107,14 +109,15 @@ class ExactContact {
       ContactBodies::Touch touch(bodies_, s, inverse);
       Vector3 across = v - (inverse * rate) * s;
       const double overlap = bodies_.distance() - square * inverse;
-      step.friction = persistent_impulse(
+      step.friction = persistent_impulse<linear>(
           sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), repulsion,
           overlap, values + ContactHistory::normal_only, normal);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
-            persistent_impulse(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j),
-                               repulsion, overlap, values + ContactHistory::with_friction, normal),
+            persistent_impulse<linear>(rolling_, touch,
+                                       touch.rolling_velocity(now.spin_i, now.spin_j), repulsion,
+                                       overlap, values + ContactHistory::with_friction, normal),
             step.action);
     }
     return true;
@@ -268,6 +271,7 @@ class ExactContact {
     return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
   }
 
+  template <bool linear>
   [[gnu::always_inline]] Vector3 persistent_impulse(const ContactSpring& spring,
                                                     const ContactBodies::Touch& touch,
                                                     const Vector3& rate, double repulsion,
@@ -275,22 +279,18 @@ class ExactContact {
                                                     const ContactState& normal) const {
     DiscreteSpring::State state{vector(values), vector(values + 3)};
     bool slips;
-    Vector3 impulse = spring.stiffens() ? stiffening_impulse(spring, touch.plane(), rate, repulsion,
-                                                             overlap, normal, state)
-                                        : spring.constant().advance_persistent(
-                                              touch.plane(), rate, repulsion, true, state, slips);
+    Vector3 impulse;
+    if constexpr (linear) {
+      impulse =
+          spring.constant().advance_persistent(touch.plane(), rate, repulsion, true, state, slips);
+    } else {
+      state.stretch =
+          spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap) * state.stretch;
+      impulse =
+          spring.at(overlap).advance_persistent(touch.plane(), rate, repulsion, true, state, slips);
+    }
     ContactHistory::store(state, values);
     return impulse;
-  }
-  [[gnu::noinline]] Vector3 stiffening_impulse(const ContactSpring& spring,
-                                               const contact::Plane& plane, const Vector3& rate,
-                                               double repulsion, double overlap,
-                                               const ContactState& normal,
-                                               DiscreteSpring::State& state) const {
-    bool slips;
-    state.stretch =
-        spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap) * state.stretch;
-    return spring.at(overlap).advance_persistent(plane, rate, repulsion, true, state, slips);
   }
 
   /// The overlap at the next time level, of the contact by itself.

@@ -49,7 +49,7 @@ class SampledContact {
   }
 
   /// Sampled contacts are all alike.
-  template <int SIZE>
+  template <int SIZE, bool linear = false>
   bool advance_persistent(const PairMotion&, double*, FrictionalStep&) const {
     return false;
   }
