@@ -16,8 +16,9 @@ namespace cohesion::contact {
 struct ContactParameters {
   double stiffness = 0.0;  ///< K of a linear spring, [force/length]
   double modulus = 0.0;    ///< E* of Hertz's contact, in place of K when above 0, [force/length^2]
-  double restitution = 1.0;  ///< e of the contact without cohesion, [1]
-  double damping = -1.0;     ///< eta, [mass/time], in place of e when not negative
+  double work_of_adhesion = 0.0;  ///< w of JKR's contact, with E*, when above 0, [energy/length^2]
+  double restitution = 1.0;       ///< e of the contact without cohesion, [1]
+  double damping = -1.0;          ///< eta, [mass/time], in place of e when not negative
   /// K_t over dF/dx of the normal spring, [1]; 2/7: equal contact times of solid spheres.
   double tangential_ratio = 2.0 / 7.0;
   double tangential_damping_ratio = 0.5;  ///< eta_t/eta, [1]
@@ -54,6 +55,7 @@ inline void require_valid(const ContactParameters& p) {
   require(std::isfinite(p.restitution) && p.restitution >= 0.0 && p.restitution <= 1.0,
           "restitution e", p.restitution, "must lie between 0 and 1");
   require(std::isfinite(p.damping), "damping eta", p.damping, "must be a finite number");
+  require_non_negative("work of adhesion", p.work_of_adhesion);
   require_non_negative("ratio of tangential to normal stiffness", p.tangential_ratio);
   require_non_negative("ratio of tangential to normal damping", p.tangential_damping_ratio);
   require_non_negative("friction coefficient", p.friction);
@@ -70,6 +72,7 @@ inline ContactParameters mixed(const ContactParameters& a, const ContactParamete
   ContactParameters m;
   m.stiffness = geometric_mean(a.stiffness, b.stiffness);
   if (a.is_hertz()) m.modulus = 2.0 / (1.0 / a.modulus + 1.0 / b.modulus);
+  m.work_of_adhesion = geometric_mean(a.work_of_adhesion, b.work_of_adhesion);
   m.restitution = geometric_mean(a.restitution, b.restitution);
   if (a.damping >= 0.0 && b.damping >= 0.0) m.damping = geometric_mean(a.damping, b.damping);
   m.tangential_ratio = geometric_mean(a.tangential_ratio, b.tangential_ratio);
@@ -91,6 +94,9 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
 inline NormalLaw normal_law(const ContactParameters& p, double reduced_radius,
                             double reduced_mass) {
   if (!p.is_hertz()) return normal_contact(p, reduced_mass);
+  if (p.work_of_adhesion > 0.0)
+    return JkrSpringDashpot(p.modulus, reduced_radius, p.work_of_adhesion, p.restitution,
+                            reduced_mass);
   return HertzSpringDashpot::from_restitution(p.modulus, reduced_radius, p.restitution,
                                               reduced_mass);
 }
@@ -104,7 +110,7 @@ inline TangentialParameters tangential_contact(const ContactParameters& p,
 
 /// The same of a normal law at an overlap.
 inline TangentialParameters tangential_contact(const ContactParameters& p, const LawPoint& normal) {
-  return {p.tangential_ratio * normal.stiffness, p.tangential_damping_ratio * normal.damping,
+  return {p.tangential_ratio * normal.radius_stiffness, p.tangential_damping_ratio * normal.damping,
           p.friction};
 }
 

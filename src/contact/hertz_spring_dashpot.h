@@ -4,18 +4,10 @@
 #include <cmath>
 
 #include "constants.h"
+#include "contact/law_point.h"
 #include "validation.h"
 
 namespace cohesion::contact {
-
-/// A normal law at one overlap; velocities are rates of approach.
-struct LawPoint {
-  double force;             ///< of the spring, repels > 0, [force]
-  double stiffness;         ///< how it changes with the overlap, [force/length]
-  double energy;            ///< stored in the spring, [energy]
-  double damping;           ///< c of the dashpot's force c v, [mass/time]
-  double damping_integral;  ///< C, the integral of c over the overlap from 0, [momentum]
-};
 
 /// The contact of Hertz with a dashpot, acting on the reduced mass mu of a pair, without adhesion.
 /// x is the overlap:
@@ -60,11 +52,16 @@ class HertzSpringDashpot {
   double reduced_mass() const { return reduced_mass_; }
   bool is_damped() const { return damping_ > 0.0; }
 
+  /// As JkrSpringDashpot has them: contacts end at touch, and nothing adheres.
+  static constexpr double lowest_overlap() { return 0.0; }
+  static constexpr double friction_load() { return 0.0; }
+
   /// At an overlap x >= 0 [length].
   LawPoint at(double x) const {
     const double root = std::sqrt(x);
     const double force = coefficient_ * root * x;
-    LawPoint p{force, 1.5 * coefficient_ * root, 0.4 * force * x, 0.0, 0.0};
+    const double stiffness = 1.5 * coefficient_ * root;
+    LawPoint p{force, stiffness, 0.4 * force * x, 0.0, 0.0, stiffness};
     if (damping_ == 0.0) return p;
     if (power_ == Damping::fourth_root) {
       p.damping = damping_ * std::sqrt(root);
@@ -75,9 +72,6 @@ class HertzSpringDashpot {
     }
     return p;
   }
-
-  /// The stiffness at one overlap > 0 over that at another.
-  static double stiffness_ratio(double x, double to) { return std::sqrt(x / to); }
 
   /// The time of an elastic impact that touches at speed v [length/time]: 2.9433 (m/v^(1/5)), with
   /// m = (5 mu/(4 k))^(2/5).

@@ -10,13 +10,16 @@
 namespace cohesion::contact_solver {
 
 /// What moves two that touch, by the law of their contact: in closed form, or by integration.
-using ContactMotion = std::variant<LinearContact, IntegratedContact<contact::HertzSpringDashpot>>;
+using ContactMotion = std::variant<LinearContact, IntegratedContact<contact::HertzSpringDashpot>,
+                                   IntegratedContact<contact::JkrSpringDashpot>>;
 
 /// attraction [force]: constant in contact; step [time].
 inline ContactMotion contact_motion(const contact::NormalLaw& law, double attraction, double step) {
   if (const auto* linear = std::get_if<contact::LinearSpringDashpot>(&law))
     return LinearContact(*linear, attraction, step);
-  return IntegratedContact(std::get<contact::HertzSpringDashpot>(law), attraction, step);
+  if (const auto* hertz = std::get_if<contact::HertzSpringDashpot>(&law))
+    return IntegratedContact(*hertz, attraction, step);
+  return IntegratedContact(std::get<contact::JkrSpringDashpot>(law), attraction, step);
 }
 
 }  // namespace cohesion::contact_solver

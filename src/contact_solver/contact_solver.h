@@ -258,8 +258,11 @@ class ContactSolver : public PairCourse {
   }
   [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, ContactState& state,
                                             double& repulsion) const {
-    return advance_persistent_as<IntegratedContact<cohesion::contact::HertzSpringDashpot>>(
-        now, state, repulsion);
+    return std::visit(
+        [&](const auto& c) {
+          return advance_persistent_as<std::decay_t<decltype(c)>>(now, state, repulsion);
+        },
+        contact());
   }
 
   [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& result,

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
 #include "contact/contact_parameters.h"
 #include "contact_solver/discrete_spring.h"
@@ -44,8 +46,9 @@ class ContactSpring {
   }
   /// What is left of a stretch from one overlap [length] to another.
   double left_of_stretch(double before, double now) const {
-    if (!stiffens_ || !(now > before) || !(now > 0.0)) return 1.0;
-    return contact::HertzSpringDashpot::stiffness_ratio(std::max(before, 0.0), now);
+    if (!stiffens_ || !(now > before)) return 1.0;
+    const double stiffer = point(now).radius_stiffness;
+    return stiffer > 0.0 ? point(before).radius_stiffness / stiffer : 1.0;
   }
 
  private:
@@ -55,7 +58,14 @@ class ContactSpring {
                                   : contact::rolling_contact(contact_, normal);
   }
   contact::LawPoint point(double overlap) const {
-    return std::get<contact::HertzSpringDashpot>(law_).at(std::max(overlap, 0.0));
+    return std::visit(
+        [overlap](const auto& law) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(law)>, contact::LinearSpringDashpot>)
+            return contact::LawPoint{};
+          else
+            return law.at(std::max(overlap, law.lowest_overlap()));
+        },
+        law_);
   }
 
   Kind kind_;

@@ -28,7 +28,8 @@ namespace cohesion::contact_solver {
 /// The energy account (energy_account.h) holds the work of the forces and what the dashpot takes,
 /// int |v| dC, from the speeds that the energy leaves at the time levels.
 ///
-/// `Law` has at(x), a contact::LawPoint, reduced_mass() and is_damped().
+/// `Law` has at(x), a contact::LawPoint, reduced_mass(), is_damped(), lowest_overlap() at which a
+/// contact ends, and friction_load().
 ///
 /// Source: derived here, see docs/theory/exact_contacts.md.
 template <class Law>
@@ -42,15 +43,18 @@ class IntegratedContact {
         adhesion_(attraction),
         pull_(attraction / law.reduced_mass()),
         step_(step),
-        is_damped_(law.is_damped()) {}
+        is_damped_(law.is_damped()),
+        lowest_(law.lowest_overlap()),
+        at_lowest_(law.at(law.lowest_overlap())),
+        friction_load_(law.friction_load() + attraction) {}
 
   const Law& law() const { return law_; }
 
-  double spring_energy(double x) const { return x > 0.0 ? law_.at(x).energy : 0.0; }
+  double spring_energy(double x) const { return x > lowest_ ? law_.at(x).energy : 0.0; }
 
   /// As LinearContact has them.
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
-    if (!(s.x > 0.0)) return false;
+    if (!(s.x > lowest_)) return false;
     Course course{s, law_.at(s.x), 0.0};
     for (int k = 0; k < substeps; k++) {
       const Overlap before = course.s;
@@ -71,12 +75,15 @@ class IntegratedContact {
       const Parting parting = part(before, drive);
       if (parting.speed > 0.0) {
         const double taken = k * time / steps + std::min(parting.time, time / steps);
-        course = {{0.0, -parting.speed}, law_.at(0.0), before.dissipated + parting.dissipated};
+        course = {{lowest_, -parting.speed},
+                  at_lowest_,
+                  before.dissipated + parting.dissipated + at_lowest_.energy};
         record_contact(s, course, taken, drive, record);
         return taken;
       }
       // The energy does not suffice: it turns within the contact.
-      course.s = {std::max(course.s.x, turning_part * before.s.x), std::max(course.s.v, 0.0)};
+      course.s = {std::max(course.s.x, lowest_ + turning_part * (before.s.x - lowest_)),
+                  std::max(course.s.v, 0.0)};
       course.at = law_.at(course.s.x);
     }
     record_contact(s, course, time, drive, record);
@@ -91,7 +98,7 @@ class IntegratedContact {
     const double own = (adhesion_ - here.at.force - here.at.damping * here.grid_rate);
     if (!lasts(now.overlap, here.grid_rate, own * inverse_mass_ - load, load)) return false;
     step.force = -own;
-    step.repulsion = adhesion_ - own;
+    step.repulsion = friction_load_ - own;
     step.account = here.work + here.dissipated +
                    0.5 * step_ * step.force * (now.rate + 0.5 * step_ * centrifugal);
     step.true_rate = -here.rate;
@@ -102,20 +109,20 @@ class IntegratedContact {
     const double centrifugal = at.sideways * at.sideways / at.distance;
     const double external = load - centrifugal;
     const double rate = -(at.rate + state.velocity_offset + 0.5 * step_ * external);
-    const contact::LawPoint p = law_.at(std::max(now.overlap, 0.0));
+    const contact::LawPoint p = point(now.overlap);
     const double own = (adhesion_ - p.force - p.damping * rate) * inverse_mass_;
     if (!lasts(now.overlap, rate, own - load, load)) return false;
     const double first = -state.velocity_offset / step_ + 0.5 * own -
                          0.125 * step_ * p.stiffness * inverse_mass_ * rate;
     step.force = -reduced_mass_ * first;
-    step.repulsion = adhesion_ - reduced_mass_ * own;
+    step.repulsion = friction_load_ - reduced_mass_ * own;
     step.account = 0.5 * step_ * step.force * at.rate;
     step.true_rate = -rate;
     return true;
   }
   double repulsion(const ContactPoint& now) const {
-    const contact::LawPoint p = law_.at(std::max(now.overlap, 0.0));
-    return p.force - p.damping * now.rate;
+    const contact::LawPoint p = point(now.overlap);
+    return p.force - p.damping * now.rate + friction_load_ - adhesion_;
   }
 
   double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
@@ -139,6 +146,8 @@ class IntegratedContact {
   double early_dissipation(double dissipation, double, double) const { return dissipation; }
 
  private:
+  contact::LawPoint point(double x) const { return law_.at(std::max(x, lowest_)); }
+
   static constexpr int substeps = 2;
   /// Where a pair turns that comes near to parting, of the overlap before.
   static constexpr double turning_part = 1e-3;
@@ -173,7 +182,7 @@ class IntegratedContact {
   }
   Arrival arrive(const ContactPoint& now, double load, double centrifugal,
                  const ContactState& state, double adhesion_energy) const {
-    Arrival here{law_.at(std::max(now.overlap, 0.0)), 0.0, 0.0, 0.0, 0.0, 0.0};
+    Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0};
     const double half = 0.5 * step_;
     const double chord = -now.rate;
     here.grid_rate = (chord + half * ((adhesion_ - here.at.force) * inverse_mass_ - load)) /
@@ -192,7 +201,7 @@ class IntegratedContact {
   /// -state.velocity_offset.
   void set_dissipation(const ContactPoint& now, double load, const ContactState& state,
                        Arrival& here) const {
-    const double x = now.overlap, x0 = std::max(x + step_ * now.rate, 0.0);
+    const double x = now.overlap, x0 = std::max(x + step_ * now.rate, lowest_);
     const double v0 = -state.velocity_offset;
     const contact::LawPoint before = law_.at(x0);
     const double guess =
@@ -241,16 +250,17 @@ class IntegratedContact {
   bool lasts(double overlap, double rate, double acceleration, double load) const {
     if (pull_ > 0.0 && !(load < pull_)) return false;
     const double next = overlap + step_ * (rate + 0.5 * step_ * acceleration);
-    double least = std::min(overlap, next);
+    const double reach = overlap - lowest_, next_reach = next - lowest_;
+    double least = std::min(reach, next_reach);
     if (rate < 0.0 && acceleration > 0.0 && -rate < acceleration * step_)
-      least = std::min(least, overlap - 0.5 * rate * rate / acceleration);
+      least = std::min(least, reach - 0.5 * rate * rate / acceleration);
     const double way = step_ * std::max(std::abs(rate), std::abs(rate + step_ * acceleration));
-    return least > way && next > 0.3 * overlap;
+    return least > way && next_reach > 0.3 * reach;
   }
 
   /// Whether a sub-step may have ended the contact.
-  static bool may_part(Overlap before, Overlap after) {
-    return after.x <= 0.0 || (before.v < 0.0 && after.v > 0.0);
+  bool may_part(Overlap before, Overlap after) const {
+    return after.x <= lowest_ || (before.v < 0.0 && after.v > 0.0);
   }
 
   /// A sub-step of Runge and Kutta under a constant acceleration.
@@ -258,7 +268,7 @@ class IntegratedContact {
     const auto rate_of = [&](double y, const contact::LawPoint& p) {
       return y - p.damping_integral * inverse_mass_;
     };
-    const auto at = [&](double x) { return law_.at(std::max(x, 0.0)); };
+    const auto at = [&](double x) { return point(x); };
     const auto push = [&](const contact::LawPoint& p) { return drive - p.force * inverse_mass_; };
     const Overlap start = course.s;
     const contact::LawPoint p1 = course.at;
@@ -291,7 +301,7 @@ class IntegratedContact {
 
   /// The way from a place in contact to parting, by the energy.
   Parting part(const Course& from, double drive) const {
-    const double x = from.s.x, speed = std::abs(from.s.v);
+    const double x = from.s.x, way = x - lowest_, speed = std::abs(from.s.v);
     // Twice the kinetic energy per mass where the overlap is `to`, if `lost` was dissipated.
     const auto square_at = [&](double to, double energy, double lost) {
       return speed * speed + 2.0 * inverse_mass_ * (from.at.energy - energy - lost) -
@@ -299,30 +309,31 @@ class IntegratedContact {
     };
     Parting parting{0.0, 0.0, 0.0};
     if (is_damped_) {
-      const contact::LawPoint middle = law_.at(0.5 * x);
+      const double half_way = x - 0.5 * way;
+      const contact::LawPoint middle = law_.at(half_way);
       double lost_half = 0.0;
       for (int k = 0; k < 3; k++) {
-        const double at_end = std::sqrt(std::max(square_at(0.0, 0.0, parting.dissipated), 0.0));
-        const double half = std::sqrt(std::max(square_at(0.5 * x, middle.energy, lost_half), 0.0));
+        const double at_end =
+            std::sqrt(std::max(square_at(lowest_, at_lowest_.energy, parting.dissipated), 0.0));
+        const double half = std::sqrt(std::max(square_at(half_way, middle.energy, lost_half), 0.0));
         parting.dissipated = -work_of_dashpot(speed, half, at_end, from.at.damping_integral,
-                                              middle.damping_integral, 0.0);
+                                              middle.damping_integral, at_lowest_.damping_integral);
         lost_half = (from.at.damping_integral - middle.damping_integral) * 0.5 * (speed + half);
       }
     }
-    const double square = square_at(0.0, 0.0, parting.dissipated);
+    const double square = square_at(lowest_, at_lowest_.energy, parting.dissipated);
     if (!(square > 0.0)) return {0.0, 0.0, 0.0};
     parting.speed = std::sqrt(square);
     // int dx/v by three points of Gauss and Legendre.
     constexpr double places[] = {0.1127016653792583, 0.5, 0.8872983346207417};
     constexpr double weights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     for (int k = 0; k < 3; k++) {
-      const double there = x * (1.0 - places[k]);
+      const double there = x - places[k] * way;
       const contact::LawPoint p = law_.at(there);
-      const double part = from.at.damping_integral > 0.0
-                              ? 1.0 - p.damping_integral / from.at.damping_integral
-                              : 0.0;
+      const double all = from.at.damping_integral - at_lowest_.damping_integral;
+      const double part = all > 0.0 ? (from.at.damping_integral - p.damping_integral) / all : 0.0;
       const double v2 = square_at(there, p.energy, part * parting.dissipated);
-      parting.time += v2 > 0.0 ? weights[k] * x / std::sqrt(v2) : step_;
+      parting.time += v2 > 0.0 ? weights[k] * way / std::sqrt(v2) : step_;
     }
     return parting;
   }
@@ -330,8 +341,9 @@ class IntegratedContact {
   void record_contact(Overlap& s, const Course& end, double time, double drive,
                       NormalRecord& record) const {
     record.contact_time += time;
-    record.repulsion_impulse += reduced_mass_ * (drive * time - (end.s.v - s.v));
-    record.repulsion_at_end = end.at.force + end.at.damping * end.s.v;
+    const double friction = friction_load_ - adhesion_;
+    record.repulsion_impulse += reduced_mass_ * (drive * time - (end.s.v - s.v)) + friction * time;
+    record.repulsion_at_end = end.at.force + end.at.damping * end.s.v + friction;
     record.dissipated += end.dissipated;
     s = end.s;
   }
@@ -343,6 +355,9 @@ class IntegratedContact {
   double pull_;      // F_ad/mu
   double step_;
   bool is_damped_;
+  double lowest_;  // overlap at which contacts end
+  contact::LawPoint at_lowest_;
+  double friction_load_;  // what friction has besides spring and dashpot
 };
 
 }  // namespace cohesion::contact_solver

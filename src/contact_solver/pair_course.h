@@ -46,6 +46,7 @@ class PairCourse {
   bool move(Flight& now, double external, bool& in_range, NormalRecord& record) const {
     Course course{!in_range && starts_in_range(now), now.distance < contact_distance_};
     in_range = in_range || course.event;
+    course.entered = course.event;
     double left = step_;
     for (int segments = 0; left > 0.0 && !record.unresolved; segments++) {
       if (segments == max_segments) {
@@ -55,7 +56,7 @@ class PairCourse {
       } else {
         left -= fly(now, left, external, in_range);
         course.event = course.event || in_range;
-        course.touching = in_range;
+        course.touching = course.entered = in_range;
       }
     }
     return course.event;
@@ -67,6 +68,7 @@ class PairCourse {
     /// Of a range that begins at touch: the pair is in contact, which rounding of its distance does
     /// not say where it has just touched or parted.
     bool touching;
+    bool entered = false;  ///< the pair has come into range since the last call of move_in_range()
   };
   /// Moves a pair in range for at most `time`, up to the next change of what acts on it. Returns
   /// the time it took.
@@ -102,6 +104,19 @@ class PairCourse {
                           NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
     const double taken = motion_.advance(s, time, outward(now, external), in_range, record);
+    put(now, s);
+    return taken;
+  }
+
+  /// Moves a pair in contact for at most `time`, and returns the time it took until it parted
+  /// (`touching` is then false), or `time`.
+  double advance_in_contact(Flight& now, double time, double external, bool& touching,
+                            NormalRecord& record) const {
+    Overlap s{contact_distance_ - now.distance, -now.radial};
+    const double load = outward(now, external);
+    const double taken =
+        std::visit([&](const auto& c) { return c.advance(s, time, load, record); }, contact());
+    touching = taken >= time;
     put(now, s);
     return taken;
   }

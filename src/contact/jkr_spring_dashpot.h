@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "constants.h"
+#include "contact/law_point.h"
+#include "validation.h"
+
+namespace cohesion::contact {
+
+/// The contact of Johnson, Kendall and Roberts with a dashpot, acting on the reduced mass mu of a
+/// pair. With the work of adhesion w, the radius a of contact and the overlap x:
+///
+///   F = 4 E* a^3/(3 R*) - sqrt(8 pi w E*) a^(3/2)      x = a^2/R* - sqrt(2 pi w a/E*)
+///   U = 8 E* a^5/(15 R*^2) - (4/3) (E* k/R*) a^(7/2) + E* k^2 a^2/2    k = sqrt(2 pi w/E*)
+///
+/// A neck forms where two touch, x = 0; they tear apart at a^3 = pi w R*^2/(8 E*), x < 0. The
+/// energy is that of the surfaces, too: U = 0 without a neck, and what U falls at touch and is left
+/// at tearing is lost. The dashpot c = sqrt(5) b sqrt(mu 4 E*/(3 R*)) sqrt(R*) sqrt(a) is that of
+/// Hertz's contact with constant restitution where w = 0.
+///
+///   pull-off force                (3/2) pi w R*
+///   work from touch to tearing    7.0922 (w^5 R*^4/E*^2)^(1/3)
+///
+/// Source: K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301; C.
+/// Thornton, Z. Ning, Powder Technol. 99 (1998) 154.
+class JkrSpringDashpot {
+ public:
+  /// E* [force/length^2], R* [length], w [energy/length^2], restitution of the contact without
+  /// adhesion, mu [mass]. Throws InvalidParameter unless all are positive and 0 <= e <= 1.
+  JkrSpringDashpot(double reduced_modulus, double reduced_radius, double work_of_adhesion,
+                   double restitution, double reduced_mass)
+      : modulus_(reduced_modulus),
+        radius_(reduced_radius),
+        work_of_adhesion_(work_of_adhesion),
+        reduced_mass_(reduced_mass) {
+    require_positive("reduced Young's modulus", reduced_modulus);
+    require_positive("reduced radius", reduced_radius);
+    require_positive("work of adhesion", work_of_adhesion);
+    require_positive("reduced mass", reduced_mass);
+    require(std::isfinite(restitution) && restitution >= 0.0 && restitution <= 1.0, "restitution e",
+            restitution, "must lie between 0 and 1");
+    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / reduced_modulus);
+    scale_ = std::cbrt(neck_ * reduced_radius);
+    inverse_cube_ = reduced_radius / std::pow(scale_, 4.0);
+    const double s = tearing * scale_;
+    lowest_ = -3.0 * std::pow(s, 4.0) / reduced_radius;
+    stiffness_ = 4.0 * reduced_modulus / (3.0 * reduced_radius);
+    const double lost = restitution > 0.0 ? -std::log(restitution) : 0.0;
+    const double part = restitution > 0.0 ? lost / std::hypot(pi, lost) : 1.0;
+    damping_ = std::sqrt(5.0 * reduced_mass * stiffness_ * reduced_radius) * part;
+  }
+
+  double reduced_mass() const { return reduced_mass_; }
+  double work_of_adhesion() const { return work_of_adhesion_; }
+  bool is_damped() const { return damping_ > 0.0; }
+  /// The overlap at which two tear apart, below 0, [length].
+  double lowest_overlap() const { return lowest_; }
+  /// The energy of the neck that forms at touch, below 0, [energy].
+  double touch_energy() const { return at(0.0).energy; }
+  /// Up to twice the pull-off force holds friction against a contact that is pulled, [force].
+  double friction_load() const { return 3.0 * pi * work_of_adhesion_ * radius_; }
+
+  /// At an overlap x >= lowest_overlap() [length].
+  LawPoint at(double x) const {
+    const double s = scale_ * root_of_radius(std::max(x, lowest_) * inverse_cube_);
+    const double s2 = s * s, s3 = s2 * s, kR = neck_ * radius_;
+    const double pull = modulus_ * neck_;
+    // Where they tear apart the stiffness is without bound.
+    const double steep = std::max(4.0 * s3 - kR, 1e-9 * kR);
+    LawPoint p;
+    p.force = stiffness_ * s3 * s3 - 2.0 * pull * s3;
+    p.stiffness = radius_ * 6.0 * s2 * (stiffness_ * s3 - pull) / steep;
+    p.energy = s2 * s2 *
+               (0.4 * stiffness_ / radius_ * s3 * s3 - 4.0 / 3.0 * pull / radius_ * s3 +
+                0.5 * pull * neck_);
+    p.damping = damping_ * s;
+    p.damping_integral = damping_ / radius_ * s2 * (0.8 * s3 - 0.5 * kR);
+    p.radius_stiffness = 2.0 * modulus_ * s2;
+    return p;
+  }
+
+ private:
+  /// 4^(-1/3): sqrt(a) where they tear apart, over scale_.
+  static constexpr double tearing = 0.6299605249474366;
+
+  /// The root q >= 4^(-1/3) of q^4 - q = x, sqrt(a) and the overlap in units of scale_: by Newton's
+  /// method from above, where the curve is convex, so that it cannot miss.
+  static double root_of_radius(double x) {
+    constexpr double lowest = -0.4724703937105774;  // -3 4^(-4/3)
+    const double above = x - lowest;
+    if (!(above > 0.0)) return tearing;
+    // The curve is at least its tangent parabola at the lowest point, and q^4 beyond it.
+    constexpr double curvature = 2.381101577952299;  // 6 q^2 there
+    double q = tearing + std::sqrt(above / curvature);
+    if (x > 1.0) q = std::min(q, std::sqrt(std::sqrt(2.3 * x)));
+    for (int k = 0; k < 20; k++) {
+      const double cube = q * q * q;
+      const double step = (q * (cube - 1.0) - x) / (4.0 * cube - 1.0);
+      q -= step;
+      if (std::abs(step) < 1e-8 * q) break;  // the next step would be below rounding
+    }
+    return std::max(q, tearing);
+  }
+
+  double modulus_;
+  double radius_;
+  double work_of_adhesion_;
+  double reduced_mass_;
+  double neck_;          // k
+  double scale_;         // (k R*)^(1/3), of sqrt(a)
+  double inverse_cube_;  // of the overlap, over that unit
+  double lowest_;
+  double stiffness_;  // 4 E*/(3 R*)
+  double damping_;    // over sqrt(a)
+};
+
+}  // namespace cohesion::contact
