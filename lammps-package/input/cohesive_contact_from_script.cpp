@@ -34,7 +34,7 @@ void LAMMPS_NS::require_computable(LAMMPS* lmp, const std::string& where, Scheme
   if (scheme == Scheme::sampled && p.is_hertz())
     lmp->error->all(FLERR, where +
                                ": scheme sampled has linear springs only: use scheme exact with "
-                               "'normal hertz E nu', or give 'stiffness K'");
+                               "'normal hertz E nu', or give 'stiffness K' to a style that has it");
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hamaker_cohesion.h"
+#include "jkr_cohesion.h"
 #include "liquid_bridge_cohesion.h"
 #include "square_well_cohesion.h"
 
@@ -16,7 +17,8 @@
 #define COHESION_CONTACT_LAWS(ROW) \
   ROW(gran/hamaker, HamakerCohesion) \
   ROW(gran/square_well, SquareWellCohesion) \
-  ROW(gran/liquid_bridge, LiquidBridgeCohesion)
+  ROW(gran/liquid_bridge, LiquidBridgeCohesion) \
+  ROW(gran/jkr, JkrCohesion)
 
 /// All that pairs have: those, and the ones that are laid over another contact.
 #define COHESION_PAIR_LAWS(ROW) \

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "advice/contact_advice.h"
-#include "advice/hertz_escape.h"
+#include "advice/integrated_escape.h"
 #include "advice/power_law_spring.h"
 #include "advice/softness.h"
 
@@ -102,6 +102,7 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
 /// Approach speed below which a pair sticks, [length/time].
 inline double escape_velocity(const AdvisedContact& c, const RunNumbers& run) {
   if (c.springs.exponent == 1.0) return numbers(c, run).escape_velocity();
+  if (c.springs.jkr) return escape_velocity(*c.springs.jkr, c.springs.hertz(c.reduced_mass()));
   return escape_velocity(c.springs.hertz(c.reduced_mass()), c.adhesion);
 }
 

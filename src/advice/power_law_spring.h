@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/contact_parameters.h"
 #include "validation.h"
@@ -26,6 +27,9 @@ struct ContactSprings {
   /// How the dashpot of p = 3/2 grows; linear_springs() takes it for the fourth root.
   contact::HertzSpringDashpot::Damping power = contact::HertzSpringDashpot::Damping::fourth_root;
 
+  /// JKR's contact, for which the springs of Hertz's stand.
+  std::optional<contact::JkrSpringDashpot> jkr = {};
+
   /// Of p = 3/2, on the reduced mass mu [mass].
   contact::HertzSpringDashpot hertz(double reduced_mass) const {
     const double root = std::sqrt(overlap);
@@ -40,7 +44,10 @@ struct ContactSprings {
 inline ContactSprings springs_of(const contact::ContactParameters& p, double reduced_radius,
                                  double reduced_mass) {
   constexpr double small = 1e-4;
-  const contact::NormalLaw law = contact::normal_law(p, reduced_radius, reduced_mass);
+  contact::ContactParameters without_adhesion = p;
+  without_adhesion.work_of_adhesion = 0.0;
+  const contact::NormalLaw law =
+      contact::normal_law(without_adhesion, reduced_radius, reduced_mass);
   ContactSprings s{};
   contact::TangentialParameters tangential{};
   if (const auto* linear = std::get_if<contact::LinearSpringDashpot>(&law)) {
@@ -55,6 +62,9 @@ inline ContactSprings springs_of(const contact::ContactParameters& p, double red
     s.stiffness = at.force / s.overlap;
     s.damping = at.damping;
     tangential = contact::tangential_contact(p, at);
+    if (p.work_of_adhesion > 0.0)
+      s.jkr =
+          std::get<contact::JkrSpringDashpot>(contact::normal_law(p, reduced_radius, reduced_mass));
   }
   if (p.friction > 0.0) {
     s.tangential_stiffness = tangential.stiffness;

@@ -88,6 +88,10 @@ class ContactSolver : public PairCourse {
   double offset(const StaggeredMotion& now, double external, const ContactState& state) const {
     return true_rate(now, external, state) - now.rate - 0.5 * step() * external;
   }
+  /// What friction has besides the force of spring and dashpot, [force].
+  double friction_load() const {
+    return std::visit([](const auto& c) { return c.friction_load(); }, contact());
+  }
   /// The discrete force of spring and dashpot at a time level that a persistent contact has
   /// reached, [force].
   double repulsion(const StaggeredMotion& now) const {

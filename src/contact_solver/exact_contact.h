@@ -23,8 +23,8 @@ namespace cohesion::contact_solver {
 /// Momentum and angular momentum are kept to rounding. Pairs of equal bodies can share an object:
 /// everything that does not change from step to step is worked out once.
 ///
-/// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver or WellEdgeSolver. SIZE: what is
-/// stored, and so whether there is friction, and rolling friction.
+/// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver, JkrSolver or WellEdgeSolver. SIZE:
+/// what is stored, and so whether there is friction, and rolling friction.
 template <class Solver>
 class ExactContact {
  public:
@@ -43,7 +43,7 @@ class ExactContact {
                  bodies_.inverse_sliding_mass()),
         rolling_(ContactSpring::Kind::rolling, parameters, normal_law_, step,
                  bodies_.inverse_rolling_mass()),
-        pull_(attraction.force) {
+        friction_load_(solver_.friction_load()) {
     if (sliding_.is_present() || rolling_.is_present()) solver_.leave_out_exchange();
   }
 
@@ -326,7 +326,7 @@ class ExactContact {
     Vector3 stretch{}, impulse;
     if (n.after.phase == ContactState::persistent) {
       const double limiting =
-          n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + pull_;
+          n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + friction_load_;
       impulse =
           spring.advance_persistent(touch.plane(), rate, limiting, n.persisted(), state, slips);
       stretch = state.stretch;
@@ -334,7 +334,7 @@ class ExactContact {
       if (n.persisted()) {
         const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch);
         spring.advance_persistent(touch.plane(), rate, n.repulsion_before, true, state, slips);
-        spring.end_persistent(sticking, true_force + pull_, state);
+        spring.end_persistent(sticking, true_force + friction_load_, state);
         stretch = state.stretch;
       } else if (n.overlap > 0.0) {
         stretch = touch.plane().turned_into(state.stretch);
@@ -387,7 +387,7 @@ class ExactContact {
   Solver solver_;
   ContactSpring sliding_;
   ContactSpring rolling_;
-  double pull_;
+  double friction_load_;
 };
 
 }  // namespace cohesion::contact_solver

@@ -57,6 +57,9 @@ class LinearContact {
     return x > 0.0 ? 0.5 * reduced_mass_ * oscillator_.w0_squared() * x * x : 0.0;
   }
 
+  /// What friction has besides spring and dashpot, [force].
+  double friction_load() const { return adhesion_; }
+
   /// Moves a contact that certainly lasts for the whole step, as advance() does. `outward`
   /// [length/time^2]: what pulls it apart. False, and nothing done, where that is not certain.
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {

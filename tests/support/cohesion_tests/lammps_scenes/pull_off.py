@@ -16,7 +16,7 @@ def script(grain, division, scheme, pulled_by):
     with the grain."""
     d, steps, side = grain.diameter, grain.steps(division), 4 * grain.diameter
     at_rest, contact = grain.overlap_at_rest, grain.words
-    adhesion = f"hamaker {A!r} cutoff {CUT!r} {OUT!r}"
+    adhesion = grain.adhesion
     pair = grain.partner == "pair"
     start = side - (d if pair else d / 2) + at_rest
     dt = grain.contact_time / division
@@ -30,10 +30,10 @@ def script(grain, division, scheme, pulled_by):
     if pair:
         lines.append(f"create_atoms 1 single {side:.17g} 0 0 units box")
     lines += [f"set group all diameter {d!r}", f"set group all density {DENSITY!r}", "group first id 1",
-              "group second id 2", f"pair_style gran/hamaker scheme {scheme}",
+              "group second id 2", f"pair_style {grain.style} scheme {scheme}",
               f"pair_coeff * * {contact} {adhesion if pair else ''}"]
     if wall:
-        lines.append(f"fix wall all wall/gran/hamaker {contact} {adhesion} {wall} scheme {scheme}")
+        lines.append(f"fix wall all wall/{grain.style} {contact} {adhesion} {wall} scheme {scheme}")
     loaded = f"{load}/{grain.force!r}"
     if pulled_by == "gravity":
         lines += [f"variable a equal {load}/{grain.mass!r}", "fix pull all gravity v_a vector -1 0 0"]
@@ -52,7 +52,7 @@ def script(grain, division, scheme, pulled_by):
             lines += [f"variable up equal {load}", "fix hold second addforce v_up 0 0"]
     lines += ["fix move all nve/sphere", f"timestep {dt!r}",
               f"variable gap equal {'x[2]' if pair else f'{side:.17g}'}-x[1]-{side - start:.17g}",
-              f"variable load equal {loaded}", f"fix stop all halt 1 v_gap > {at_rest + 3 * CUT!r} error continue",
+              f"variable load equal {loaded}", f"fix stop all halt 1 v_gap > {at_rest + 3 * grain.opens_by!r} error continue",
               "thermo_style custom step v_gap v_load", "thermo_modify format float %.9g", f"thermo {max(steps // 4000, 1)}",
               f"run {steps}", 'print "ENDED $(v_gap)"']
     return "\n".join(lines) + "\n"
@@ -64,7 +64,7 @@ def load_at_parting(grain, division, scheme="exact", pulled_by="addforce"):
         code, output = lammps.run_text(script(grain, division, scheme, pulled_by), folder)
     if code != 0:
         raise AssertionError(output[-3000:])
-    opened = grain.overlap_at_rest + CUT  # since the start
+    opened = grain.overlap_at_rest + grain.opens_by  # since the start
     if float(re.search(r"^ENDED (\S+)", output, re.MULTILINE)[1]) < opened:
         return math.inf
     rows = re.findall(r"^ *\d+ +(\S+) +(\S+) *$", output, re.MULTILINE)

@@ -6,6 +6,10 @@ Grains of 1500 kg/m3 with A = 1e-19 J, H_cut 0.4 nm and H_out 0.1 um. `division`
 """
 import math
 
+from scipy.optimize import brentq
+
+from cohesion_tests.theory.jkr_contact import JkrPair
+
 A, CUT, OUT, DENSITY = 1e-19, 4e-10, 1e-7, 1500.0
 TOP = 1.03
 DIVISIONS = (4, 10, 20, 50, 200)
@@ -39,6 +43,8 @@ class Grain:
         self.reduced_mass = self.mass / 2 if partner == "pair" else self.mass
         self.radius = diameter / 4 if partner == "pair" else diameter / 2
         self.force = A * self.radius / (6 * CUT**2)
+        self.opens_by = CUT  # beyond touch, to where it has parted
+        self.style, self.adhesion = "gran/hamaker", f"hamaker {A!r} cutoff {CUT!r} {OUT!r}"
 
     def set_duration(self, lag):
         # Slow beside the contact, too: what it begins to swing by has gone.
@@ -60,3 +66,23 @@ class HertzGrain(Grain):
         self.contact_time = math.pi * math.sqrt(self.reduced_mass / (1.5 * k * math.sqrt(self.overlap_at_rest)))
         self.words = f"normal hertz {modulus!r} 0.25 restitution {restitution!r}"
         self.set_duration(lag)
+
+
+class JkrGrain(Grain):
+    """With JKR's contact: E [Pa], nu 0.25, surface energy gamma [J/m2]. force: the pull-off force; opens_by: the gap at which
+    it tears."""
+
+    def __init__(self, modulus, surface_energy, restitution, diameter=75e-6, partner="plane", lag=1.5e-3):
+        self.restitution = restitution
+        self.set_grain(diameter, partner)
+        pair = JkrPair(modulus, surface_energy, restitution, diameter, density=DENSITY, plane=partner != "pair")
+        self.force, self.radius = pair.pull_off, pair.radius
+        at_rest = brentq(pair.force, 1.01 * pair.smallest, 100 * pair.smallest)
+        self.overlap_at_rest = pair.overlap(at_rest)
+        self.opens_by = pair.tearing
+        self.contact_time = pair.contact_time(pair.sticking_speed())
+        self.style, self.adhesion = "gran/jkr", ""
+        self.words = pair.words()
+        # The load grows by less than the lag while the contact opens by as much as it is pressed in, and slowly beside it.
+        rate = math.sqrt(lag**3 * self.force / (6 * (self.overlap_at_rest + self.opens_by) * self.reduced_mass))
+        self.duration = TOP / min(rate, 1 / (150 * self.contact_time))

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pair_style gran/jkr and its walls: sticking speed, strength, and the force against the overlap, against JKR's formulas."""
+import math
+import sys
+import unittest
+
+import numpy
+
+from cohesion_tests import lammps
+from cohesion_tests.lammps_scenes import couples, pull_off
+from cohesion_tests.lammps_scenes.square_well_scene import gaps
+from cohesion_tests.theory.jkr_contact import JkrPair
+from cohesion_tests.theory.slow_ramp import JkrGrain
+
+DIAMETER, MODULUS, GAMMA = 1e-3, 1e7, 0.05
+POSITIONS = 8
+
+
+def report(text):
+    print(text, file=sys.stderr)
+
+
+class Jkr(unittest.TestCase):
+    def test_sticking(self):
+        # Within 1e-3 of the sticking speed at t_c/20, and 2e-3 at t_c/10 for a restitution above 0.7.
+        for restitution, division, grade in ((0.5, 20, 1e-3), (0.9, 20, 1e-3), (0.9, 10, 2e-3), (0.99, 20, 1e-3)):
+            pair = JkrPair(MODULUS, GAMMA, restitution, DIAMETER)
+            angles, factors, atoms = (0, 40, 80), (0.99, 1 - grade, 1 + grade, 1.01), []
+            speeds = [pair.sticking_speed(math.radians(angle)) for angle in angles]
+            dt = pair.contact_time(speeds[0]) / division
+            start = 2 * pair.tearing
+            for angle, speed in zip(angles, speeds):
+                for factor in factors:
+                    for position in range(POSITIONS):
+                        velocity = factor * speed * numpy.array([math.tan(math.radians(angle)), 1.0, 0.0])
+                        # The velocity is at the angle where they touch.
+                        away = numpy.array([0.0, DIAMETER, 0.0])
+                        away += velocity * (start / (factor * speed) + dt * position / POSITIONS)
+                        distance = numpy.linalg.norm(away)
+                        atoms += couples.couple(len(atoms) // 2, distance - DIAMETER, velocity, normal=away / distance)
+            end = couples.run(atoms, [f"1 1 {pair.words()}"], dt, 30 * division, style="gran/jkr", skin=4e-4)[0][-1]
+            parted = (gaps(end) > 1.5 * pair.tearing).reshape(len(angles), len(factors), POSITIONS)
+            for angle, answers in zip(angles, parted):
+                slowest = min((f for f, out in zip(factors, answers) if out.any()), default=math.inf)
+                fastest = max((f for f, out in zip(factors, answers) if not out.all()), default=0.0)
+                report(f"e {restitution}, {angle} degrees, t_c/{division}: slowest parted {slowest}, captured {fastest}")
+                self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
+
+    def test_strength(self):
+        # 1.5 pi w R; by the lag of the ramp up to 0.3 %.
+        for partner in pull_off.PARTNERS:
+            for division in (10, 20):
+                found = pull_off.load_at_parting(JkrGrain(5e6, 0.005, 0.9, partner=partner), division)
+                report(f"{partner}, t_c/{division}: {found:.4f} of the pull-off force")
+                self.assertAlmostEqual(found, 1.0, delta=5e-3)
+
+    def test_words(self):
+        for words, settings, message in (
+                ("normal hertz 5e6 0.25", "", "needs 'normal hertz E nu' and 'surface_energy gamma'"),
+                ("stiffness 800 surface_energy 0.05", "", "needs 'normal hertz E nu' and 'surface_energy gamma'"),
+                ("normal hertz 5e6 0.25 surface_energy -1", "", "surface energy gamma"),
+                ("normal hertz 5e6 0.25 surface_energy 0.05", "scheme sampled", "scheme sampled has linear springs only")):
+            with self.subTest(words=words), lammps.temporary_folder() as folder:
+                code, output = lammps.run_text(f"""plugin load {lammps.plugin()}
+units si
+atom_style sphere
+newton off
+comm_modify vel yes
+region box block 0 1e-2 0 1e-2 0 1e-2
+create_box 1 box
+create_atoms 1 single 5e-3 5e-3 5e-3
+set group all diameter 1e-3
+pair_style gran/jkr {settings}
+pair_coeff * * {words}
+fix move all nve/sphere
+timestep 1e-6
+run 0
+""", folder)
+                self.assertNotEqual(code, 0)
+                self.assertIn(message, output)
+
+
+if __name__ == "__main__":
+    unittest.main()
