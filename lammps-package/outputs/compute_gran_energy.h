@@ -34,7 +34,7 @@ class ComputeGranEnergy : public Compute, public EnergyTallyCompute {
 
   class FixContactStep* step;
   std::shared_ptr<const void> reader;              // keeps the tally of contacts active
-  double before[cohesion::energy_tally::ENTRIES];  // what there was when this was defined, of this process
+  double before[cohesion::energy_tally::ENTRIES];  // what there was when this was defined
   TallyOfRuns tally;
   SameParticles particles;
 };

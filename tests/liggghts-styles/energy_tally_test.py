@@ -152,8 +152,8 @@ class Balance(unittest.TestCase):
                         every=1, steps=150))
         self.assertEqual({entry(row, ADHESION) for row in rows}, {0.0, -depth})
         # In the step of the impulse itself half of its work is still to come.
-        self.closes([rows[0], *(row for row, last in zip(rows[1:], rows) if entry(row, ADHESION) == entry(last, ADHESION))],
-                    1e-13)
+        at_rest = [row for row, last in zip(rows, rows[:1] + rows) if entry(row, ADHESION) == entry(last, ADHESION)]
+        self.closes(at_rest, 1e-13)
         self.assertAlmostEqual(entry(rows[-1], KINETIC) - entry(rows[0], KINETIC), depth, delta=1e-12 * rows[0][1])
 
     def test_moving_wall_puts_work_in(self):

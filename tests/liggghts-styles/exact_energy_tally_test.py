@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""compute gran/energy of contacts of scheme exact: it closes, over runs, ranks and restarts, beside walls and meshes."""
+"""compute gran/energy of contacts of scheme exact: it closes, over runs, ranks and restarts, at walls and meshes."""
+import math
 import unittest
 
 from cohesion_tests.liggghts import Run
@@ -89,12 +90,17 @@ class Couples(unittest.TestCase):
         self.assertLess(gone[1], 1e-4)
 
     def test_friction_is_the_work_of_its_forces(self):
+        # Accounts know friction one step late and leave out what that exchanges: dt^2/8 of the change of force times
+        # acceleration by friction along the normal, which has turned away by u_t t_c/d when the contact ends. Over the
+        # energy of the impact that is (w0 dt)^2/4 times mu and the angle.
+        turned = 0.05 * CONTACT_TIME / (2 * RADIUS)
+        allowed = (math.pi / 10)**2 / 4 * 0.3 * turned
         for rolling in ("", " rolling_friction cdt", " rolling_friction epsd2"):
             with self.subTest(rolling=rolling):
                 rows = lines(scene(couple(gap=2e-6, spin=True), 0.9, 0.3, properties=hamaker(0, cut=CUT, out=OUT),
                                    rolling=rolling, time=4e-4))
                 end, begin = rows[-1], rows[0]
-                self.assertLess(missing(rows), ROUNDING)
+                self.assertLess(missing(rows), allowed)
                 self.assertGreater(entry(end, FRICTION), 1e-3 * begin[1])
                 self.assertGreater(entry(end, TANGENTIAL_DAMPING), 1e-5 * begin[1])
                 self.assertEqual(entry(end, ROLLING) > 1e-6 * begin[1], rolling != "")
@@ -199,7 +205,8 @@ class SeveralWays(unittest.TestCase):
 
     def test_defined_between_two_runs_it_warns(self):
         text = self.text("run 60\nTALLYrun 60\n", 0.0)
-        late = text.replace(TALLY, "").replace(PRINT.format(every=60), "").replace("TALLY", TALLY + PRINT.format(every=60))
+        defined = TALLY + PRINT.format(every=60)
+        late = text.replace(defined, "").replace("TALLY", defined)
         run = Run(late)
         self.assertEqual(run.code, 0, run.output[-2000:])
         self.assertEqual(run.output.count("compute gran/energy: the last step has no energy tally"), 1)

@@ -95,8 +95,8 @@ def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, dura
     """Lines of the energy tally of gas() in `duration` [s]; none where the step is not stable."""
     spheres, side = gas(edge, fraction, speed=speed)
     steps = round(duration / dt)
-    models = (f"model hooke/stiffness tangential {'history' if friction else 'off'} cohesion hamaker absolute_damping on "
-              f"tangential_damping {'on' if friction else 'off'} scheme {scheme}")
+    models = (f"model hooke/stiffness tangential {'history' if friction else 'off'} cohesion hamaker "
+              f"absolute_damping on tangential_damping {'on' if friction else 'off'} scheme {scheme}")
     run = Run(script(spheres, models, hamaker(constant, cut=CUT, out=OUT), dt=dt, steps=steps, every=steps,
                      contacts=frictional(restitution, friction), boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
                      skin=2e-4, extra=TALLY + PRINT.format(every=steps)))
