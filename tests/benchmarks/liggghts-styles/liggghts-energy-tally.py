@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What compute gran/energy does not account for in gases with damping and friction in LIGGGHTS, scheme exact.
 
-  energy-tally.py LIGGGHTS_COHESION [--side N] [--collisions N] [--scheme exact|sampled]
+  liggghts-energy-tally.py LIGGGHTS_COHESION [--side N] [--collisions N] [--scheme exact|sampled]
 
 N^3 spheres (512), 20 collisions per particle (Enskog's rate): entry 10 at the end, over the kinetic energy of the
 start, against the step. `unstable`: the engine stops with the largest stable step.
