@@ -3,6 +3,7 @@
 #define COHESION_COHESION_OVERLAY_H
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -16,7 +17,7 @@
 #include "error.h"
 #include "exact_contacts.h"
 #include "fix_contact_advice.h"
-#include "fix_sampled_energy_tally.h"
+#include "fix_energy_tally.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "hidden_fix.h"
@@ -55,7 +56,7 @@ namespace ContactModels {
 ///                                  to be remembered; not called while all bound ones are listed
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
-///   energy(...)                    AttractionEnergy (sampled_energy_tally.h)
+///   energy(...)                    AttractionEnergy (model_energy_tally.h)
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
  public:
@@ -145,9 +146,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (!carries(contact)) return;
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
-    if (!events_->go_on(contact, spring, force)) {
+    energies_ = {};
+    auto* const energies = tally_ ? &energies_ : nullptr;
+    if (!events_->go_on(contact, spring, force, energies)) {
       cohesion::contact_solver::ContactStep step;
-      if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
+      if (!events_->follow(contact, contact.r, contact.en, step, energies)) step = {};
       events_->set_friction(contact, step, spring);
       force = step.force;
     }
@@ -163,7 +166,16 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
     cohesion::contact_solver::ContactStep step;
-    if (!carries(near) || !events_->follow(near, r, normal, step) || step.force == 0.0) return;
+    energies_ = {};
+    if (!carries(near) || !events_->follow(near, r, normal, step, tally_ ? &energies_ : nullptr))
+      return;
+    if (tally_) {
+      cohesion::contact::ContactSample contact;
+      contact.normal = cohesion::vector(normal);
+      contact.attraction = -step.force;
+      tally_->add_exact(near, contact, energies_);
+    }
+    if (step.force == 0.0) return;
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] = step.force * normal[d];
       on_j.delta_F[d] = -step.force * normal[d];
@@ -175,11 +187,6 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     slides_ = has("tangential", "history");
     if constexpr (std::is_same_v<Attraction, Cohesion::HamakerAttraction>)
       attraction_.require_turns_as_touching();
-    if (tally_)
-      error->all(FLERR,
-                 (name() + ", scheme exact: compute gran/energy knows no contacts of it; use "
-                           "'scheme sampled' with the compute")
-                     .c_str());
     events_->connect(
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
@@ -188,7 +195,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
           return std::unique_ptr<Cohesion::ExactContacts::ContactSolver>(
               new Law(spring, adhesion, distance, step));
         },
-        attraction_.range(), registry.max_type());
+        attraction_.range(), !has("tangential", "off") || !has("rolling_friction", "off"),
+        registry.max_type());
   }
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
@@ -214,20 +222,26 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   void connect_tally() {
-    if (!wall_) Cohesion::FixSampledEnergyTally::to_the_end(lmp);
-    tally_ = Cohesion::FixSampledEnergyTally::tally_of(lmp);
+    if (!wall_) Cohesion::FixEnergyTally::to_the_end(lmp);
+    tally_ = Cohesion::FixEnergyTally::tally_of(lmp);
     update_all_ = list_all_ = tally_ != nullptr;
     const bool slides = has("tangential", "history");
-    if (slides) places_.displacement = others_history_;
-    if (has("rolling_friction", "epsd2")) places_.rolling = others_history_ + (slides ? 3 : 0);
+    if (slides) other_models_.displacement = others_history_;
+    if (has("rolling_friction", "epsd2"))
+      other_models_.rolling = others_history_ + (slides ? 3 : 0);
+    other_models_.rolls = !has("rolling_friction", "off");
   }
 
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
     const bool attracts = carries(contact);
-    tally_->write(contact,
-                  {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
-                   attracts ? &attraction_ : nullptr, attracts && binds(contact, -contact.deltan)});
+    const auto sample =
+        Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), other_models_);
+    if (events_ && attracts)
+      tally_->add_exact(contact, sample, energies_);
+    else
+      tally_->add_sampled(contact, sample,
+                          attracts ? adhesion_energy(contact, -contact.deltan) : 0);
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -236,7 +250,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    tally_->write(near, {contact, &attraction_, binds(near, gap)});
+    tally_->add_sampled(near, contact, adhesion_energy(near, gap));
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.
@@ -245,8 +259,12 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
            Cohesion::carries_contact(*data.fix_mesh, data.j, data.i, atom->x[data.i], data.radi);
   }
 
-  bool binds(const SurfacesCloseData& d, double gap) const {
-    return binds(d.itype, d.jtype, d.radi, d.is_wall ? 0.0 : d.radj, gap, d.contact_history);
+  /// Of scheme sampled.
+  double adhesion_energy(const SurfacesCloseData& d, double gap) const {
+    const bool bound =
+        binds(d.itype, d.jtype, d.radi, d.is_wall ? 0.0 : d.radj, gap, d.contact_history);
+    const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
+    return attraction_.energy(d.itype, d.jtype, d.radi, rj, gap, bound);
   }
 
   static std::string name() { return std::string("cohesion model ") + Attraction::MODEL; }
@@ -271,10 +289,12 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   std::unique_ptr<Cohesion::ExactContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
-  std::shared_ptr<Cohesion::SampledEnergyTally> tally_;  // null: none is kept
+  std::shared_ptr<Cohesion::ModelEnergyTally> tally_;  // null: none is kept
   bool update_all_ = false;  // the memory of every contact is brought up to date in this step
   bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
-  Cohesion::HistoryPlaces places_;
+  Cohesion::OtherModels other_models_;
+  cohesion::contact_solver::ContactEnergies
+      energies_{};      // of the contact of scheme exact just followed
   int others_history_;  // place of what the tangential and the rolling model remember
 };
 

@@ -6,7 +6,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_sampled_energy_tally.h"
+#include "fix_energy_tally.h"
 #include "gravity_of_fixes.h"
 #include "hidden_fix.h"
 #include "integrated_particles.h"
@@ -18,7 +18,6 @@ namespace Cohesion {
 using namespace LAMMPS_NS;
 using namespace cohesion::energy_tally;
 using cohesion::vector;
-using cohesion::Vector3;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
     : StyleCompute(engine, count, words) {
@@ -28,19 +27,19 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
   if (igroup != 0)
     stop(lmp, FLERR, where, " balances all particles; its group must be 'all', not '", words[1],
          "'");
-  if (find_hidden_fix<FixSampledEnergyTally>(lmp))
+  if (find_hidden_fix<FixEnergyTally>(lmp))
     stop(lmp, FLERR, where, ": there is one already, and one tally is kept");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
-  hidden_fix<FixSampledEnergyTally>(lmp);
+  hidden_fix<FixEnergyTally>(lmp);
 }
 
 ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
 
 void ComputeGranEnergy::pre_delete(bool) {
-  if (find_hidden_fix<FixSampledEnergyTally>(lmp)) modify->delete_fix(FixSampledEnergyTally::STYLE);
+  if (find_hidden_fix<FixEnergyTally>(lmp)) modify->delete_fix(FixEnergyTally::STYLE);
 }
 
 void ComputeGranEnergy::init() {
@@ -69,31 +68,18 @@ void ComputeGranEnergy::work_out() {
   double mine[ENTRIES] = {};
   const MobileParticles mobile(lmp);
   const GravityOfFixes gravity(modify);
-  const double half = 0.5 * update->dt;
   for (int i = 0; i < atom->nlocal; i++) {
     const int mask = atom->mask[i];
     if (!mobile.moves(mask)) continue;
     const double mass = atom->rmass[i];
     const double inertia =
         mobile.inertia_factor(domain->dimension) * mass * atom->radius[i] * atom->radius[i];
-    const Vector3 v = cohesion::vector(atom->v[i]) + half / mass * cohesion::vector(atom->f[i]);
-    const Vector3 omega =
-        cohesion::vector(atom->omega[i]) + half / inertia * cohesion::vector(atom->torque[i]);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    add_body(mine, mass, inertia, v, omega, mass * gravity.on(mask),
-             cohesion::vector(place) + half * v);
+    add_body(mine, mass, inertia, cohesion::vector(atom->v[i]), cohesion::vector(atom->omega[i]),
+             mass * gravity.on(mask), cohesion::vector(place));
   }
-  const SampledEnergyTally& tally = *hidden_fix<FixSampledEnergyTally>(lmp).tally();
-  mine[SPRING] = tally.spring;
-  mine[TANGENTIAL_SPRING] = tally.tangential_spring;
-  mine[ADHESION] = tally.adhesion;
-  mine[ROLLING_SPRING] = tally.rolling_spring;
-  mine[NORMAL_DAMPING] = tally.normal_damping();
-  mine[TANGENTIAL_DAMPING] = tally.tangential_damping();
-  mine[FRICTION] = tally.friction();
-  mine[ROLLING] = tally.rolling();
-  mine[EXTERNAL_WORK] = tally.external_work();
+  hidden_fix<FixEnergyTally>(lmp).tally()->add_to(mine);
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 }
 

@@ -9,7 +9,7 @@
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// compute ID all gran/energy: the energy tally half a step after the grid point.
+/// compute ID all gran/energy: the energy tally at the time level.
 /// Doc: docs/liggghts-styles/compute_gran_energy.md
 class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute,
                           public LAMMPS_NS::EnergyTallyCompute {

@@ -57,11 +57,12 @@ ExactContacts::ExactContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 ExactContacts::~ExactContacts() = default;
 
 void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
-                            const ContactRange& range, int types) {
+                            const ContactRange& range, bool frictional, int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
   make_law_ = maker;
   range_ = range;
+  frictional_ = frictional;
   types_ = types;
   known_.clear();
   known_.resize((types + 1) * (types + 1));
@@ -113,6 +114,7 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
     const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
                                       reduced_mass, 0.0,     d.is_wall};
     k.law = make_law_(normal_->law(pair), adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
+    if (frictional_) k.law->leave_out_exchange();
     k.stiffens = normal_->exponent() != 1.0;
     if (k.stiffens) return;
     const auto springs = normal_->springs(pair);
@@ -145,8 +147,14 @@ const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData&
   return before ? before + offset_ : nullptr;
 }
 
+void ExactContacts::set_energies(const KnownContact& k, double contact_distance,
+                                 const SolvedStep& step, ContactEnergies& energies) {
+  set_normal_losses(*k.law, step, energies);
+  set_normal_stored(*k.law, step, contact_distance, energies.stored);
+}
+
 bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
-                           const double* normal, ContactStep& step) {
+                           const double* normal, ContactStep& step, ContactEnergies* energies) {
   const bool first = d.computeflag && !d.shearupdate;
   KnownContact* const k = known_contact(d);
   followed_ = k;
@@ -155,6 +163,11 @@ bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   ContactState state;
   if (!d.computeflag || (first && others_->last_step() > 0.0)) {
     if (repeat(*k, d, step, state)) {
+      // What it stores under a load is that of the last step.
+      if (energies && state.in_range()) {
+        energies->stored.spring = k->law->spring_energy(d.radsum - r);
+        energies->stored.adhesion = k->law->adhesion_energy(d.radsum - r);
+      }
       remember(d, true);
       exclude_impulse(*k, d, normal, state);
       return true;
@@ -176,7 +189,11 @@ bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     if (!first && r - k->law->step() * now.rate > seen) late_->due = true;
   }
   const double velocity_step = first ? 0.5 * k->law->step() : k->law->step();
+  const ContactState before = state;
   step = k->law->advance(now, external, velocity_step, state);
+  if (energies)
+    set_energies(*k, d.radsum, {now, external, first, before, state, step.force, step.dissipated},
+                 *energies);
   if (step.normal.unresolved) cut_short_->due = true;
   write(d, state, step);
   exclude_impulse(*k, d, normal, state);

@@ -16,6 +16,8 @@
 #include "contact_range.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_state.h"
+#include "contact_solver/normal_energies.h"
+#include "contact_solver/pair_motion.h"
 #include "fix_others.h"
 #include "integrated_particles.h"
 #include "neighbor.h"
@@ -40,6 +42,7 @@ class ExactContacts {
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
   using ContactSolver = cohesion::contact_solver::ContactSolver;
+  using ContactEnergies = cohesion::contact_solver::ContactEnergies;
   using MakeLaw = std::unique_ptr<ContactSolver> (*)(const cohesion::contact::NormalLaw&,
                                                      const cohesion::contact::Adhesion&,
                                                      double contact_distance, double step);
@@ -50,18 +53,21 @@ class ExactContacts {
   ~ExactContacts();
 
   /// `adhesion`: of two types and radii; rj infinite: next to a wall; maker: of the solver; range:
-  /// beyond which nothing acts. Stops where the normal model is none that the scheme can follow.
+  /// beyond which nothing acts; frictional: whether friction acts in contacts. Stops where the
+  /// normal model is none that the scheme can follow.
   void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
-               const ContactRange& range, int types);
+               const ContactRange& range, bool frictional, int types);
 
   /// What follow() and set_friction() do of a contact that goes on as in the step before: `force`,
   /// on i away from j or the wall. False, and nothing done, where more may have happened.
-  bool go_on(ContactModels::SurfacesIntersectData& contact, double* spring, double& force);
+  /// `energies`: of the normal motion; null: nobody asks.
+  bool go_on(ContactModels::SurfacesIntersectData& contact, double* spring, double& force,
+             ContactEnergies* energies);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
-  /// `step` of no meaning: the contact does nothing.
+  /// `step` of no meaning: the contact does nothing. `energies` as above.
   bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
-              cohesion::contact_solver::ContactStep& step);
+              cohesion::contact_solver::ContactStep& step, ContactEnergies* energies);
 
   /// Whether a pair has no memory and nothing can happen to it in this step, as most that the
   /// engine shows: follow() would find out by looking at far more.
@@ -119,6 +125,9 @@ class ExactContacts {
     const double rate = dot(w, n);
     return {r, rate, d.is_wall ? 0.0 : norm(w - rate * n)};
   }
+  static void set_energies(const KnownContact& k, double contact_distance,
+                           const cohesion::contact_solver::SolvedStep& step,
+                           ContactEnergies& energies);
   double acceleration(const ContactModels::SurfacesCloseData& d,
                       const cohesion::Vector3& normal) const;
   bool repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
@@ -145,12 +154,13 @@ class ExactContacts {
   std::vector<KnownContact> known_;  // the last of each two types
   const KnownContact* followed_ = nullptr;
   double time_apart_ = 0.0;  // how much of the step before the contact just followed was none
+  bool frictional_ = false;
   int types_ = 0;
   std::shared_ptr<LateWarning> late_, cut_short_;
 };
 
 inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
-                                 double& force) {
+                                 double& force, ContactEnergies* energies) {
   double* const history = contact.contact_history + offset_;
   const double now = others_->clock();
   if (ContactState::phase_of(history) != ContactState::persistent || history[STEP] != now)
@@ -165,7 +175,13 @@ inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
       at.distance, contact.rinv, at.rate, speed_squared, k->law->step());
-  if (!k->law->advance_persistent(distance, state, repulsion)) return false;
+  if (energies) {
+    const ContactState before = state;
+    if (!k->law->advance_persistent(distance, state, repulsion)) return false;
+    set_energies(*k, contact.radsum, {at, 0.0, false, before, state, state.force, 0.0}, *energies);
+  } else if (!k->law->advance_persistent(distance, state, repulsion)) {
+    return false;
+  }
   force = state.force;
   set_friction(contact, *k, repulsion, time_apart, spring);
   state.store_persistent(history);

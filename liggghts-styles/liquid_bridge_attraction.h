@@ -11,8 +11,8 @@
 #include "encounter.h"
 #include "lammps.h"
 #include "liquid_bridge/parameters.h"
+#include "model_energy_tally.h"
 #include "normal_model_probe.h"
-#include "sampled_energy_tally.h"
 #include "table_of_types.h"
 
 namespace LIGGGHTS {

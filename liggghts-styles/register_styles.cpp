@@ -23,9 +23,9 @@
 #include "fix_contact_advice.h"
 #include "fix_deform_shear.h"
 #include "fix_drive.h"
+#include "fix_energy_tally.h"
 #include "fix_gas_coupling.h"
 #include "fix_others.h"
-#include "fix_sampled_energy_tally.h"
 #include "lammps.h"
 #include "modify.h"
 #include "unknown_models.h"
@@ -80,7 +80,7 @@ void register_styles(LAMMPS* lmp) {
   fixes["drive"] = &make_fix<FixDrive>;
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
-  fixes[FixSampledEnergyTally::STYLE] = &make_fix<FixSampledEnergyTally>;
+  fixes[FixEnergyTally::STYLE] = &make_fix<FixEnergyTally>;
   fixes[FixOthers::STYLE] = &make_fix<FixOthers>;
   Computes& computes = *computes_of(*lmp->modify);
   computes["gran/energy"] = &make_compute<ComputeGranEnergy>;

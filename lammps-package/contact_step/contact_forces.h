@@ -106,9 +106,7 @@ class ContactForces {
   void tally(int i, int j, const Vector3& friction, const ContactEnergies& energies) const {
     ContactEnergyTally& tally = step_->energy_tally;
     const double fraction = owned_fraction(j);
-    tally.store(fraction, energies);
-    tally.add_losses(fraction, energies.before, 0.0);
-    tally.add_losses(fraction, energies.after, 1.0);
+    tally.add(fraction, energies);
     if constexpr (SIZE >= ContactHistory::with_friction) {
       tally.add_friction(i, -friction);
       if (is_own(j)) tally.add_friction(j, friction);

@@ -19,6 +19,8 @@
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
+using cohesion::contact_solver::ForcesAtLevel;
+using cohesion::contact_solver::Passage;
 
 static constexpr char ID[] = "COHESION_CONTACT_STEP";
 static constexpr char PLACE[] = "COHESION_CONTACT_STEP_PLACE";
@@ -37,7 +39,6 @@ static void put(const Vector3& a, double* values) {
 FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       impulses(lammps),
-      energy_tally(lammps),
       watch(lammps),
       forwarded_flags(nullptr),
       forwarded_values(nullptr),
@@ -261,13 +262,15 @@ bool FixContactStep::begin_step() {
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, energy_tally.is_active());
-  energy_tally.begin_step();
+  energy_tally.begin_step(atom->nlocal);
   impulses.begin_contacts();
   return true;
 }
 
 void FixContactStep::update_readers() {
-  energy_tally.update_readers();
+  const bool may_be_continued = update->ntimestep == update->laststep ||
+                                (output->restart_flag && update->ntimestep == output->next_restart);
+  energy_tally.update_readers(may_be_continued);
   flux_wanted = flux_readers.use_count() > 1;
 }
 
@@ -286,12 +289,19 @@ void FixContactStep::end_of_step() {
 void FixContactStep::tally_work(bool starts) {
   const double half = 0.5 * forces_dt;  // the next step may be another by now
   const std::vector<double> weight = weights(lmp);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (inverse_mass[i] != 0.0)
-      energy_tally.end_step(i, body(i),
-                            {vector(atom->f[i]), impulses.force(i), vector(&weight[3 * i]),
-                             vector(atom->torque[i]), impulses.torque(i)},
-                            half, starts);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (inverse_mass[i] == 0.0) continue;
+    const double inverse_inertia = cohesion::contact_solver::inverse_inertia(body(i));
+    const ForcesAtLevel forces{vector(atom->f[i]),      impulses.force(i),
+                               vector(&weight[3 * i]),  energy_tally.friction(i),
+                               vector(atom->torque[i]), impulses.torque(i)};
+    const Vector3 kick = (half * inverse_mass[i]) * forces.all;
+    const Vector3 turn = (half * inverse_inertia) * forces.torque;
+    const auto passage = starts ? &Passage::start : &Passage::whole;
+    energy_tally.end_step(forces, inverse_mass[i], inverse_inertia,
+                          passage(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half),
+                          half, starts);
+  }
 }
 
 void FixContactStep::post_run() {

@@ -28,7 +28,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
   reader = step->energy_tally.add_reader();
-  add_sums(before, -1.0);
+  step->energy_tally.sums().add_so_far(-1.0, before);
 }
 
 ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
@@ -37,20 +37,6 @@ void ComputeGranEnergy::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "compute gran/energy balances spheres; use 'atom_style sphere'");
   require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
-}
-
-/// Those of this process, so far.
-void ComputeGranEnergy::add_sums(double* entries, double factor) const {
-  const ContactEnergyTally::Sums& sums = step->energy_tally.sums();
-  entries[NORMAL_DAMPING] += factor * sums.lost.normal_damping;
-  entries[TANGENTIAL_DAMPING] += factor * sums.lost.tangential_damping;
-  // What friction takes from the motion goes into springs, dashpots and sliding.
-  entries[FRICTION] -=
-      factor * (sums.friction_work + sums.stored.tangential_spring + sums.stored.rolling_spring +
-                sums.lost.tangential_damping + sums.lost.rolling);
-  entries[ROLLING] += factor * sums.lost.rolling;
-  entries[EXTERNAL_WORK] += factor * sums.external_work;
-  entries[SPRING] += factor * sums.exchanged;
 }
 
 void ComputeGranEnergy::compute_vector() {
@@ -82,7 +68,7 @@ void ComputeGranEnergy::work_out() {
   particles.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES];
   std::copy_n(before, static_cast<int>(ENTRIES), mine);
-  add_sums(mine, 1.0);
+  step->energy_tally.sums().add_so_far(1.0, mine);
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
@@ -94,11 +80,7 @@ void ComputeGranEnergy::work_out() {
              cohesion::vector(atom->omega[i]), cohesion::vector(&weight[3 * i]),
              cohesion::vector(place));
   }
-  const cohesion::contact_solver::StoredEnergies& contacts = step->energy_tally.sums().stored;
-  mine[SPRING] += contacts.spring + contacts.load;
-  mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
-  mine[ADHESION] = contacts.adhesion;
-  mine[ROLLING_SPRING] = contacts.rolling_spring;
+  step->energy_tally.sums().add_stored(mine);
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 }
 

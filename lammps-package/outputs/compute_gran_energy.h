@@ -30,12 +30,11 @@ class ComputeGranEnergy : public Compute, public EnergyTallyCompute {
   void end_run() override;
 
  private:
-  void add_sums(double* entries, double factor) const;
   void work_out();
 
   class FixContactStep* step;
   std::shared_ptr<const void> reader;              // keeps the tally of contacts active
-  double before[cohesion::energy_tally::ENTRIES];  // what that had summed when this was defined
+  double before[cohesion::energy_tally::ENTRIES];  // what there was when this was defined
   TallyOfRuns tally;
   SameParticles particles;
 };

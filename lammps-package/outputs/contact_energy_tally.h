@@ -6,72 +6,85 @@
 #include <memory>
 #include <vector>
 
-#include "contact_solver/pair_motion.h"
-#include "pointers.h"
+#include "contact_solver/energy_sums.h"
 
 namespace LAMMPS_NS {
 
 /// Energies that contacts store at the time level and have lost before it, of one process. It is
 /// active while somebody reads it, who subtracts what was there before, and in steps that a later
 /// run may continue from.
-class ContactEnergyTally : protected Pointers {
+class ContactEnergyTally {
  public:
   using Reader = std::shared_ptr<const void>;
-  /// All [energy].
-  struct Sums {
-    cohesion::contact_solver::StoredEnergies stored{};
-    cohesion::contact_solver::ContactLosses lost{};  ///< so far
-    double external_work = 0.0;  ///< of other forces but gravity, and moving walls; so far
-    double friction_work = 0.0;  ///< of friction and rolling friction on the particles; so far
-    double exchanged = 0.0;      ///< part of stored.load (ContactEnergies); so far
-  };
-
-  explicit ContactEnergyTally(LAMMPS*);
 
   /// What a reader holds as long as the tally is to be active.
   [[nodiscard]] Reader add_reader() const { return readers_; }
   bool has_readers() const { return readers_.use_count() > 1; }
   bool is_active() const { return active_; }
-  const Sums& sums() const { return now_; }
+  const cohesion::contact_solver::EnergySums& sums() const { return sums_; }
 
-  /// Sets whether it is active in this step.
-  void update_readers();
+  /// Sets whether it is active in this step, which a later run may continue from.
+  void update_readers(bool may_be_continued) { active_ = may_be_continued || has_readers(); }
   /// Begins a new time level: losses after the last one are losses before this one.
-  void begin_step();
-  /// Adds what a contact stores and has exchanged, `fraction` of it.
-  void store(double fraction, const cohesion::contact_solver::ContactEnergies&);
-  /// Where a run goes on from the forces of the last one, what springs in the plane of contact
-  /// store is known: the energies of normal springs and adhesion are set to 0 and added again.
-  void reset_normal();
-  void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies&);
-  /// Adds what a contact loses, `fraction` of it, of which `later` is after the time level.
-  void add_losses(double fraction, const cohesion::contact_solver::ContactLosses&, double later);
-  /// Adds work of other forces, or of friction, in the step around the time level.
-  void add_work(double done);
-  void add_friction_work(double done);
+  void begin_step(int particles) {
+    if (!active_) return;
+    sums_.begin_step();
+    friction_.assign(particles, {});
+  }
+  /// EnergySums.
+  void reset_normal() { sums_.reset_normal(); }
+  void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
+    sums_.store_normal(fraction, stored);
+  }
+  /// Adds what a contact stores and loses, `fraction` of it.
+  void add(double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
+    sums_.store(fraction, energies.stored);
+    sums_.lose(fraction, energies);
+  }
+  /// Adds work of moving walls, or of friction on them, in the step around the time level.
+  void add_work(double done) {
+    if (active_) sums_.external.add(0.5 * done, 0.5 * done);
+  }
+  void add_friction_work(double done) {
+    if (active_) sums_.friction.add(0.5 * done, 0.5 * done);
+  }
   /// Adds a force of sliding friction on particle i of this process.
   void add_friction(int i, const cohesion::Vector3& on_it) { friction_[i] += on_it; }
+  /// The sum of those, [force].
+  const cohesion::Vector3& friction(int i) const { return friction_[i]; }
 
-  /// What acts on a particle at a time level.
-  struct Forces {
-    cohesion::Vector3 all, of_contacts, weight;
-    cohesion::Vector3 torque, of_contacts_torque;
-  };
-  /// Ends the step of particle i, of which `half` [time] is half: adds the work of its forces. The
-  /// engine has v_n and spins of the time level. starts: the first step of a run, half of one.
-  void end_step(int i, const cohesion::contact_solver::Body&, const Forces&, double half,
-                bool starts);
+  /// Ends the step of a particle: EnergySums.
+  void end_step(const cohesion::contact_solver::ForcesAtLevel& forces, double inverse_mass,
+                double inverse_inertia, const cohesion::contact_solver::Passage& passage,
+                double half, bool starts) {
+    sums_.end_step(forces, inverse_mass, inverse_inertia, passage, half, starts);
+  }
 
   /// What a later run needs to go on.
   using Totals = std::array<double, 10>;
-  Totals totals() const;
-  void restore_totals(const Totals&);
+  Totals totals() const {
+    const cohesion::contact_solver::ContactLosses& lost = sums_.lost_later();
+    return {sums_.stored().tangential_spring,
+            sums_.stored().rolling_spring,
+            lost.normal_damping,
+            lost.tangential_damping,
+            lost.rolling,
+            sums_.friction.later(),
+            sums_.external.later(),
+            sums_.stored().load + sums_.motion(),
+            sums_.exchanged()};
+  }
+  void restore_totals(const Totals& all) {
+    sums_.restore({0.0, all[0], all[1], 0.0, all[7]}, {all[2], all[3], all[4]}, all[8]);
+    sums_.friction.restore_later(all[5]);
+    sums_.external.restore_later(all[6]);
+  }
 
  private:
   bool active_ = false;
-  Sums now_, later_;                         // later_: after the time level
+  cohesion::contact_solver::EnergySums sums_;
   std::vector<cohesion::Vector3> friction_;  // on each particle, [force]
-  Reader readers_;
+  Reader readers_ = std::make_shared<char>();
 };
 
 }  // namespace LAMMPS_NS

@@ -10,6 +10,7 @@
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_spring.h"
+#include "contact_solver/normal_energies.h"
 #include "contact_solver/square_well_solver.h"
 
 namespace cohesion::contact_solver {
@@ -153,13 +154,10 @@ class ExactContact {
                    solver_.repulsion(at),
                    overlap_at_end(now, step.action.impulse)};
     if (energies) {
-      set_normal_energies(n, at, *energies);
-      if (!first) {
-        // A persistent contact knows the other forces from its own motion.
-        const double used = history.normal.is_outside() ? external : history.normal.external_before;
-        energies->stored.load = solver_.account_energy(at, used, normal.force, before);
-        energies->exchanged = solver_.exchanged(used, before);
-      }
+      const SolvedStep solved{at,           external,         first, before, history.normal,
+                              normal.force, normal.dissipated};
+      set_normal_losses(solver_, solved, *energies);
+      set_normal_stored(solver_, solved, bodies_.distance(), energies->stored);
     }
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
@@ -297,17 +295,6 @@ class ExactContact {
   double overlap_at_end(const PairMotion& now, const Vector3& impulse) const {
     const Vector3 velocity = now.relative.velocity + bodies_.inverse_mass() * impulse;
     return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
-  }
-
-  void set_normal_energies(const Normal& n, const StaggeredMotion& at,
-                           ContactEnergies& energies) const {
-    const bool stands = n.before.phase == ContactState::unknown && is_in_range(at.distance);
-    if (n.before.in_range() || stands) {
-      energies.stored.spring = solver_.spring_energy(n.overlap);
-      energies.stored.adhesion = solver_.adhesion_energy(n.overlap);
-    }
-    energies.before.normal_damping = solver_.dissipated(at, n.before);
-    energies.after.normal_damping = n.step.dissipated;
   }
 
   /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate

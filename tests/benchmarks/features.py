@@ -110,8 +110,9 @@ LIGGGHTS = {
     "rolling epsd2 of the engine, with cohesion hamaker": (
         Case("liggghts+", LIGGGHTS_PAIR), None,
         Case("liggghts+", gran(LIGGGHTS_HAMAKER + " rolling_friction epsd2", scenes.hamaker_properties()))),
-    "energy tally": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
-        "", "compute out all gran/energy\nuncompute out\n", "compute out all gran/energy\n")),
+    **{f"energy tally, *{scheme}*": tuple(Case("liggghts+", pair, extra) for extra in (
+        "", "compute out all gran/energy\nuncompute out\n", "compute out all gran/energy\n"))
+       for scheme, pair in (("exact", scenes.LIGGGHTS_EXACT), ("sampled", LIGGGHTS_PAIR))},
     "agglomerates, every 10": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
         "", "fix done all agglomerates 10\nunfix done\n", "fix done all agglomerates 10\n")),
     "gas/coupling, no gas": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (

@@ -318,8 +318,6 @@ class Input(unittest.TestCase):
         self.refused(start.format("hooke", " limitForce on scheme exact"), "cuts the force off", "use 'scheme sampled'")
         self.refused(start.format("hertz", " limitForce on scheme exact"), "cuts the force off")
         self.refused(start.format("hooke", " scheme sometimes"), "scheme sometimes: must be exact or sampled")
-        self.refused(start.format("hooke", " scheme exact"), "compute gran/energy knows no contacts of it",
-                     extra="compute tally all gran/energy\n")
         self.refused(start.format("hooke", " scheme sampled"), "needs a pair_style gran of scheme exact, too",
                      walls=["fix plate all wall/gran " + start.format("hooke", "") +
                             " primitive type 2 zplane -0.009 scheme exact"])

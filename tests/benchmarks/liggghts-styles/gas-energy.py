@@ -11,7 +11,6 @@ line through them gains in the run, with its standard error. The gas starts with
 than the energy of a contact: that is in `end` and not in `slope`.
 """
 import argparse
-import math
 import os
 import time
 
@@ -20,13 +19,11 @@ from scipy.stats import linregress
 
 from cohesion_tests.lammps_scenes.cohesive_gas import collision_rate
 from cohesion_tests.launcher import given_program
-from cohesion_tests.liggghts_scenes.elastic_gas import elastic, energy, gas, kinetic_energy
-from cohesion_tests.liggghts_scenes.scene import MASS, STIFFNESS, frames, hamaker
+from cohesion_tests.liggghts_scenes.elastic_gas import CONTACT_TIME, elastic, energy, gas, kinetic_energy
+from cohesion_tests.liggghts_scenes.scene import frames, hamaker
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory.pair_motion import CUT, OUT, Pair
 
-# Of two elastic spheres, [s].
-CONTACT_TIME = math.pi * math.sqrt(0.5 * MASS / STIFFNESS)
 DIVISIONS = (4, 10, 20)
 # Solid fraction, A [J], speed [m/s] (each component).
 CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02))

@@ -2,22 +2,34 @@
 """A gas of elastic spheres in a periodic box, in LIGGGHTS, and its energy."""
 import math
 import random
+import re
 
 import numpy
 from scipy.spatial import cKDTree
 
-from cohesion_tests.liggghts_scenes.scene import MASS, RADIUS, STIFFNESS, contact, sphere
+from cohesion_tests.liggghts import Run
+from cohesion_tests.liggghts_scenes.scene import MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere
+from cohesion_tests.theory.pair_motion import CUT, OUT
 
 DIAMETER = 2 * RADIUS
+CONTACT_TIME = math.pi * math.sqrt(0.5 * MASS / STIFFNESS)  # of two elastic spheres, [s]
 
 
 def elastic(restitution=1.0):
     """Contacts of this restitution between two spheres: with no dashpot along the normal."""
     text = contact()
     line = next(line for line in text.splitlines() if " gamman_abs " in line)
+    return text.replace(line, matrix("gamman_abs", damping(restitution)))
+
+
+def matrix(name, value):
+    return f"fix {name} all property/global {name} peratomtypepair 2{f' {value!r}' * 4}"
+
+
+def damping(restitution):
+    """Of the dashpot that two spheres of this restitution have, [kg/s]."""
     part = -math.log(restitution)
-    damping = 2 * part / math.hypot(math.pi, part) * math.sqrt(STIFFNESS * MASS / 2)
-    return text.replace(line, f"fix gamman_abs all property/global gamman_abs peratomtypepair 2{f' {damping!r}' * 4}")
+    return 2 * part / math.hypot(math.pi, part) * math.sqrt(STIFFNESS * MASS / 2)
 
 
 def gas(edge, fraction, seed=1, speed=0.1):
@@ -57,3 +69,39 @@ def energy(frame, side, pair):
     attraction = numpy.where(near < 0, pair.adhesion_energy(0.0) + pair.adhesion * near, 0.0)
     between = near[(near >= 0) & (pair.A > 0)]
     return kinetic_energy(frame) + spring_energy(near) + attraction.sum() + sum(map(pair.adhesion_energy, between))
+
+
+def frictional(restitution, friction):
+    """As elastic(), with friction: K_t = 2/7 K and half of the normal damping, as in lammps_scenes.cohesive_gas."""
+    values = {"kt": 2 / 7 * STIFFNESS, "gammat_abs": 0.5 * damping(restitution), "coefficientFriction": friction}
+    text = elastic(restitution)
+    for name, value in values.items():
+        text = re.sub(rf"^fix {name} .*$", matrix(name, value), text, flags=re.MULTILINE)
+    return text
+
+
+TALLY = "compute tally all gran/energy\n"
+PRINT = ("thermo_style custom step c_tally " + " ".join(f"c_tally[{k}]" for k in range(1, 14))
+         + "\nthermo {every}\nthermo_modify norm no " + " ".join(f"format {k} %.17g" for k in range(2, 16)) + "\n")
+
+
+def tally_lines(run):
+    """Step, scalar and entries of compute gran/energy, of each line of PRINT, of all runs."""
+    lines = (line.split() for line in run.files["log.liggghts"].split("\n"))
+    return [[float(word) for word in words] for words in lines if len(words) == 15 and words[0].isdigit()]
+
+
+def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, duration, scheme="exact"):
+    """Lines of the energy tally of gas() in `duration` [s]; none where the step is not stable."""
+    spheres, side = gas(edge, fraction, speed=speed)
+    steps = round(duration / dt)
+    models = (f"model hooke/stiffness tangential {'history' if friction else 'off'} cohesion hamaker "
+              f"absolute_damping on tangential_damping {'on' if friction else 'off'} scheme {scheme}")
+    run = Run(script(spheres, models, hamaker(constant, cut=CUT, out=OUT), dt=dt, steps=steps, every=steps,
+                     contacts=frictional(restitution, friction), boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
+                     skin=2e-4, extra=TALLY + PRINT.format(every=steps)))
+    if run.code and "unstable, so that they gain energy" in run.output:
+        return []
+    if run.code:
+        raise AssertionError(run.output[-3000:])
+    return tally_lines(run)

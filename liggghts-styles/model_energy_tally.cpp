@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model_energy_tally.h"
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "domain.h"
+#include "gravity_of_fixes.h"
+#include "sphere.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+using cohesion::vector;
+using cohesion::Vector3;
+using namespace cohesion::contact_solver;
+using cohesion::contact::ContactSample;
+
+ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
+                         const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
+                         double exponent, const OtherModels& models) {
+  ContactSample c;
+  const Vector3 force = vector(on_i.delta_F);
+  c.normal = vector(d.en);
+  c.overlap = d.deltan;
+  c.stiffness = d.kn;
+  c.exponent = exponent;
+  c.repulsion = d.Fn;
+  c.attraction = d.Fn - dot(force, c.normal);
+  c.tangential = force - dot(force, c.normal) * c.normal;
+  c.slip = {d.vtr1, d.vtr2, d.vtr3};
+  c.lever_i = d.cri;
+  c.lever_j = d.is_wall ? 0.0 : d.crj;
+  if (models.displacement >= 0) {
+    c.displacement = vector(d.contact_history + models.displacement);
+    c.tangential_stiffness = d.kt;
+  }
+  c.tangential_damping = d.gammat;
+  if (!models.rolls) return c;
+  const Vector3 turn = cross(c.normal, c.tangential);
+  c.rolling_i = vector(on_i.delta_torque) + c.lever_i * turn;
+  if (!d.is_wall) c.rolling_j = vector(on_j.delta_torque) + c.lever_j * turn;
+  if (models.rolling >= 0)
+    c.rolling_energy = cohesion::contact::rolling_spring_energy(
+        vector(d.contact_history + models.rolling), d.kt,
+        d.is_wall ? d.radi : cohesion::reduced_radius(d.radi, d.radj));
+  return c;
+}
+
+/// A pair that another rank, or an image of itself, has as well.
+double ModelEnergyTally::owned_fraction(const ContactModels::SurfacesCloseData& d) const {
+  return !d.is_wall && d.j >= lmp_->atom->nlocal ? 0.5 : 1.0;
+}
+
+void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
+                                   const ContactSample& c, double adhesion) {
+  if (!d.computeflag) return;  // of a look that moves nothing
+  const double fraction = owned_fraction(d);
+  sampled_.spring += fraction * c.spring_energy();
+  sampled_.adhesion += fraction * adhesion;
+  sums_.store(fraction, {0.0, c.tangential_spring_energy(), c.rolling_energy, 0.0});
+  add_forces(d, c, c.normal_dashpot(), c.tangential_dashpot());
+}
+
+void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
+                                 const ContactEnergies& of_normal) {
+  if (!d.computeflag) return;
+  ContactEnergies all = of_normal;
+  all.stored.tangential_spring = c.tangential_spring_energy();
+  all.stored.rolling_spring = c.rolling_energy;
+  sums_.store(owned_fraction(d), all.stored);
+  sums_.lose(owned_fraction(d), all);
+  add_forces(d, c, {}, c.tangential_dashpot());
+}
+
+void ModelEnergyTally::add_forces(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
+                                  const Vector3& normal_dashpot, const Vector3& dashpot) {
+  const Vector3 force = c.force_on_i(), turn = cross(c.normal, c.tangential);
+  const Vector3 dashpot_turn = cross(c.normal, dashpot);
+  const auto add = [&](OnParticle& on, double sign, double lever, const Vector3& rolling) {
+    on.force += sign * force;
+    on.torque += rolling - lever * turn;
+    on.friction += sign * c.tangential;
+    on.dashpot += sign * dashpot;
+    on.dashpot_torque -= lever * dashpot_turn;
+    on.rolling += rolling;
+    on.normal_dashpot += sign * normal_dashpot;
+  };
+  add(on_[d.i], 1.0, c.lever_i, c.rolling_i);
+  if (d.is_wall)
+    add_work_of_wall(d, c, normal_dashpot, dashpot);
+  else if (d.j < lmp_->atom->nlocal)
+    add(on_[d.j], -1.0, c.lever_j, c.rolling_j);
+}
+
+void ModelEnergyTally::add_work_of_wall(const ContactModels::SurfacesCloseData& d,
+                                        const ContactSample& c, const Vector3& normal_dashpot,
+                                        const Vector3& dashpot) {
+  const Vector3 v = vector(d.v_j);
+  wall_all_ += dot(c.force_on_i(), v);
+  wall_friction_ += dot(c.tangential, v);
+  wall_tangential_dashpot_ += dot(dashpot, v);
+  wall_normal_dashpot_ += dot(normal_dashpot, v);
+}
+
+void ModelEnergyTally::clear() {
+  on_.assign(lmp_->atom->nlocal, {});
+  sampled_ = {};
+  wall_all_ = wall_friction_ = wall_normal_dashpot_ = wall_tangential_dashpot_ = 0.0;
+}
+
+void ModelEnergyTally::begin_step() {
+  sums_.begin_step();
+  for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_}) some->begin_step();
+  clear();
+}
+
+void ModelEnergyTally::begin_set_up() {
+  last_ = sums_.stored();
+  sums_.begin_again();
+  for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_})
+    some->begin_again();
+  clear();
+}
+
+void ModelEnergyTally::end_step() { end(&Passage::whole, 0.5 * lmp_->update->dt, false); }
+
+void ModelEnergyTally::end_set_up(bool starts, bool known) {
+  if (!starts && known) sums_.restore_normal(last_);
+  end(starts ? &Passage::start : &Passage::second_half, 0.0, starts);
+  if (begun_) return;
+  begun_ = true;
+  add_so_far(-1.0, before_);
+  before_[cohesion::energy_tally::SPRING] = 0.0;  // that is no loss
+}
+
+/// Adds the work of all forces. `before` [time]: how much of the step before the time level counts.
+template <class MakePassage>
+void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts) {
+  const Atom* const atom = lmp_->atom;
+  const MobileParticles mobile(lmp_);
+  const GravityOfFixes gravity(lmp_->modify);
+  const double half = 0.5 * lmp_->update->dt;
+  const double factor = mobile.inertia_factor(lmp_->domain->dimension);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int mask = atom->mask[i];
+    const OnParticle& on = on_[i];
+    const bool moves = mobile.moves(mask), turns = moves && !mobile.is_not_turned(mask);
+    const double inverse_mass = moves ? 1.0 / atom->rmass[i] : 0.0;
+    const double inverse_inertia =
+        turns ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
+    const Vector3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
+    const Passage passage =
+        make_passage(vector(atom->v[i]), half * inverse_mass * force, vector(atom->omega[i]),
+                     half * inverse_inertia * torque, half);
+    tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
+    rolling_.add({}, on.rolling, passage);
+    normal_dashpot_.add(on.normal_dashpot, {}, passage);
+    if (moves) {
+      const Vector3 weight = atom->rmass[i] * gravity.on(mask);
+      const Vector3& other_torque = turns ? torque : on.torque;
+      sums_.end_step({force, on.force, weight, on.friction, other_torque, on.torque}, inverse_mass,
+                     inverse_inertia, passage, half, starts);
+      if (!turns) sums_.external.add({}, -on.torque, passage);
+    } else {
+      // What leads a particle gives to the others.
+      sums_.friction.add(on.friction, on.torque, passage);
+      sums_.external.add(-on.force, -on.torque, passage);
+    }
+  }
+  const auto add = [&](WorkOfForces& work, double power) {
+    work.add(before * power, half * power);
+  };
+  add(sums_.external, wall_all_);
+  add(sums_.friction, -wall_friction_);
+  add(tangential_dashpot_, -wall_tangential_dashpot_);
+  add(normal_dashpot_, -wall_normal_dashpot_);
+}
+
+void ModelEnergyTally::add_so_far(double factor, double* entries) const {
+  EnergySums sums = sums_;
+  // Of the rolling torques it is not known what is spring, dashpot and slider.
+  sums.lose({-normal_dashpot_.so_far(), -tangential_dashpot_.so_far(),
+             -rolling_.so_far() - sums_.stored().rolling_spring});
+  sums.add_so_far(factor, entries);
+}
+
+void ModelEnergyTally::add_to(double* entries) const {
+  for (int k = 0; k < cohesion::energy_tally::ENTRIES; k++) entries[k] += before_[k];
+  add_so_far(1.0, entries);
+  sums_.add_stored(entries);
+  entries[cohesion::energy_tally::SPRING] += sampled_.spring;
+  entries[cohesion::energy_tally::ADHESION] += sampled_.adhesion;
+}
+
+void ModelEnergyTally::store_totals(double* values) const {
+  values[0] = sums_.stored().spring;
+  values[1] = sums_.stored().adhesion;
+  values[2] = sums_.stored().load;
+  values[3] = sums_.lost_later().normal_damping;
+  values[4] = sums_.exchanged();
+}
+
+void ModelEnergyTally::restore_totals(const double* values) {
+  sums_.restore({values[0], 0.0, 0.0, values[1], values[2]}, {values[3]}, values[4]);
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_MODEL_ENERGY_TALLY_H
+#define COHESION_MODEL_ENERGY_TALLY_H
+
+#include <vector>
+
+#include "contact/sampled_energies.h"
+#include "contact_interface.h"
+#include "contact_solver/energy_sums.h"
+#include "energy_tally.h"
+#include "integrated_particles.h"
+#include "lammps.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// Energy of an attraction, as its law has it.
+class AttractionEnergy {
+ public:
+  virtual ~AttractionEnergy() = default;
+  /// Of two types and radii at `gap` [length]; rj infinite: beside a wall. inside: what the model
+  /// remembers of the contact. [energy]
+  virtual double energy(int itype, int jtype, double ri, double rj, double gap,
+                        bool inside) const = 0;
+};
+
+/// What of the engine's other models a contact has.
+struct OtherModels {
+  int displacement = -1;  ///< where the contact keeps that of the tangential spring; negative: none
+  int rolling = -1;       ///< where it keeps the torque of the rolling spring; negative: none
+  bool rolls = false;     ///< whether there is rolling friction
+};
+
+/// A contact at the time level, as the engine's models, those of this package included, have
+/// computed it.
+cohesion::contact::ContactSample contact_of(const ContactModels::SurfacesIntersectData&,
+                                            const ContactModels::ForceData& on_i,
+                                            const ContactModels::ForceData& on_j, double exponent,
+                                            const OtherModels&);
+
+/// The energies of the contacts of this process, for compute gran/energy. The models add each
+/// contact of a step; what its forces work is known when the step is over and all velocities are.
+class ModelEnergyTally {
+ public:
+  explicit ModelEnergyTally(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+
+  /// Adds a contact of which spring and dashpot are sampled, with the energy of its adhesion.
+  void add_sampled(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
+                   double adhesion);
+  /// Adds a contact with an energy account: what its normal motion stores and loses. The rest is of
+  /// friction and rolling friction.
+  void add_exact(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
+                 const cohesion::contact_solver::ContactEnergies& of_normal);
+
+  /// Before the forces of a step, or of the set-up of a run.
+  void begin_step();
+  void begin_set_up();
+  void end_step();
+  /// starts: energy accounts begin anew; known: the tally has the energies of the time level from
+  /// the last step, of contacts that repeat their force.
+  void end_set_up(bool starts, bool known);
+
+  void add_to(double* entries) const;
+
+  /// What a later run needs to go on.
+  static constexpr int TOTALS = 5;
+  void store_totals(double* values) const;
+  void restore_totals(const double* values);
+
+ private:
+  /// What contacts do to a particle.
+  struct OnParticle {
+    cohesion::Vector3 force, torque;            // all of it
+    cohesion::Vector3 friction;                 // of the tangential spring, dashpot and slider
+    cohesion::Vector3 dashpot, dashpot_torque;  // of the tangential dashpot
+    cohesion::Vector3 rolling;                  // torque against rolling
+    cohesion::Vector3 normal_dashpot;           // of sampled contacts
+  };
+  using WorkOfForces = cohesion::contact_solver::WorkOfForces;
+
+  void clear();
+  void add_forces(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
+                  const cohesion::Vector3& normal_dashpot, const cohesion::Vector3& dashpot);
+  void add_work_of_wall(const ContactModels::SurfacesCloseData&,
+                        const cohesion::contact::ContactSample&,
+                        const cohesion::Vector3& normal_dashpot, const cohesion::Vector3& dashpot);
+  double owned_fraction(const ContactModels::SurfacesCloseData&) const;
+  template <class MakePassage>
+  void end(MakePassage make_passage, double before, bool starts);
+  void add_so_far(double factor, double* entries) const;
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  std::vector<OnParticle> on_;
+  cohesion::contact_solver::EnergySums sums_;
+  // Of normal springs and adhesion of sampled contacts; as a set-up begins, of others.
+  cohesion::contact_solver::StoredEnergies sampled_{}, last_{};
+  WorkOfForces normal_dashpot_, tangential_dashpot_, rolling_;
+  // Power of walls that move, by the same kinds of forces and by all of them, [energy/time].
+  double wall_all_ = 0.0, wall_friction_ = 0.0, wall_normal_dashpot_ = 0.0,
+         wall_tangential_dashpot_ = 0.0;
+  bool begun_ = false;
+  double before_[cohesion::energy_tally::ENTRIES] = {};  // what there was when the tally began
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

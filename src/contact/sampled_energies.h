@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vector3.h"
+
+/// Energies of contacts of an engine that computes one force per contact and step, at the time
+/// level, from the velocities of half a step before it.
+namespace cohesion::contact {
+
+/// One contact at the time level, as the engine's models give it.
+struct ContactSample {
+  Vector3 normal;           ///< from j, or the wall, to i
+  double overlap = 0.0;     ///< x, [length]; negative: gap
+  double stiffness = 0.0;   ///< F/x of the normal spring, [force/length]
+  double exponent = 1.0;    ///< p of F ~ x^p, [1]
+  double repulsion = 0.0;   ///< of normal spring and dashpot, [force]
+  double attraction = 0.0;  ///< of the adhesion, [force]
+
+  Vector3 tangential;                 ///< on i, in the plane of contact, [force]
+  Vector3 slip;                       ///< velocity of i's surface against j's in it
+  Vector3 displacement;               ///< s of the tangential spring, [length]
+  double tangential_stiffness = 0.0;  ///< [force/length]
+  double tangential_damping = 0.0;    ///< [mass/time]
+  double lever_i = 0.0;               ///< from the centre to the plane of contact, [length]
+  double lever_j = 0.0;               ///< [length]
+
+  Vector3 rolling_i, rolling_j;  ///< torques but those of the tangential force, [force length]
+  double rolling_energy = 0.0;   ///< of what is stored in them, [energy]
+
+  Vector3 force_on_i() const { return (repulsion - attraction) * normal + tangential; }
+  /// c x^(p+1)/(p+1) of F = c x^p.
+  double spring_energy() const {
+    return overlap > 0.0 ? stiffness * overlap * overlap / (exponent + 1.0) : 0.0;
+  }
+  double tangential_spring_energy() const {
+    return 0.5 * tangential_stiffness * dot(displacement, displacement);
+  }
+  /// Force of the normal dashpot on i.
+  Vector3 normal_dashpot() const {
+    return (repulsion - (overlap > 0.0 ? stiffness * overlap : 0.0)) * normal;
+  }
+  /// Force of the tangential dashpot on i. A contact that slides has none in the Coulomb force:
+  /// both are told apart by whether spring and dashpot make up the force, 1e-6 of the dashpot being
+  /// well above rounding.
+  Vector3 tangential_dashpot() const {
+    const Vector3 dashpot = -tangential_damping * slip;
+    const Vector3 rest = tangential + tangential_stiffness * displacement - dashpot;
+    return dot(rest, rest) <= 1e-12 * dot(dashpot, dashpot) ? dashpot : Vector3{};
+  }
+};
+
+/// The energy T^2/(2 K_r R^2) of a rolling spring of stiffness `stiffness` K_r [force/length] and
+/// lever R [length] that carries `torque` T [force length], [energy].
+inline double rolling_spring_energy(const Vector3& torque, double stiffness, double lever) {
+  return stiffness > 0.0 ? 0.5 * dot(torque, torque) / (stiffness * lever * lever) : 0.0;
+}
+
+}  // namespace cohesion::contact

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact_solver/pair_motion.h"
+#include "energy_tally.h"
+#include "vector3.h"
+
+namespace cohesion::contact_solver {
+
+/// How a particle passes a time level: its velocity and spin in the half steps before and after it,
+/// and how long these are, [time].
+struct Passage {
+  Vector3 velocity_before, velocity_after;  ///< [length/time]
+  Vector3 spin_before, spin_after;          ///< [1/time]
+  double before, after;
+
+  /// Of a step of two halves: `kick` and `turn` are the changes of velocity and spin in each.
+  static Passage whole(const Vector3& velocity, const Vector3& kick, const Vector3& spin,
+                       const Vector3& turn, double half) {
+    return {velocity - kick, velocity + kick, spin - turn, spin + turn, half, half};
+  }
+  /// Of the half step after the time level alone, where a run goes on from the last one with new
+  /// forces.
+  static Passage second_half(const Vector3& velocity, const Vector3& kick, const Vector3& spin,
+                             const Vector3& turn, double half) {
+    return {{}, velocity + kick, {}, spin + turn, 0.0, half};
+  }
+  /// Of the first step of a run, whose first velocity is that of the time level: the work is that
+  /// of the mean velocity.
+  static Passage start(const Vector3& velocity, const Vector3& kick, const Vector3& spin,
+                       const Vector3& turn, double half) {
+    return second_half(velocity, 0.5 * kick, spin, 0.5 * turn, half);
+  }
+};
+
+/// The work of forces of one kind, of a force at a time level with the velocities before and after
+/// it, [energy].
+class WorkOfForces {
+ public:
+  /// Before the time level.
+  double so_far() const { return so_far_; }
+  /// After it, by the forces of it.
+  double later() const { return later_; }
+
+  void begin_step() {
+    so_far_ += later_;
+    later_ = 0.0;
+  }
+  /// The forces of this time level are worked out again.
+  void begin_again() { later_ = 0.0; }
+  void restore_later(double work) { later_ = work; }
+
+  void add(const Vector3& force, const Vector3& torque, const Passage& p) {
+    so_far_ += p.before * (dot(force, p.velocity_before) + dot(torque, p.spin_before));
+    later_ += p.after * (dot(force, p.velocity_after) + dot(torque, p.spin_after));
+  }
+  /// Of something that moves as prescribed.
+  void add(double before, double after) {
+    so_far_ += before;
+    later_ += after;
+  }
+
+ private:
+  double so_far_ = 0.0, later_ = 0.0;
+};
+
+/// What acts on a particle at a time level.
+struct ForcesAtLevel {
+  Vector3 all, of_contacts, weight;
+  Vector3 friction;  ///< sliding friction, part of those of contacts
+  Vector3 torque, of_contacts_torque;
+};
+
+/// Energies of the contacts of a process, for compute gran/energy: what they store at the time
+/// level, what they have lost before it, and the work of other forces.
+///
+/// The accounts of contacts (energy_account.h) are beside the kinetic energy 1/2 m v_(n-1/2)
+/// v_(n+1/2). The velocity of the time level is the mean of both: its kinetic energy is larger by
+/// dt^2 F^2/(8 m), which is what the contacts' forces store less.
+class EnergySums {
+ public:
+  void begin_step() {
+    add_to(lost_, 1.0, lost_later_);
+    lost_later_ = {};
+    external.begin_step();
+    friction.begin_step();
+    stored_ = {};
+    motion_ = 0.0;
+  }
+  /// The time level again, where a run is set up: all forces and stored energies are worked out
+  /// again.
+  void begin_again() {
+    external.begin_again();
+    friction.begin_again();
+    stored_ = {};
+    motion_ = 0.0;
+  }
+
+  /// Adds what a contact stores, `fraction` of it.
+  void store(double fraction, const StoredEnergies& stored) {
+    stored_.tangential_spring += fraction * stored.tangential_spring;
+    stored_.rolling_spring += fraction * stored.rolling_spring;
+    stored_.load += fraction * stored.load;
+    store_normal(fraction, stored);
+  }
+  /// Where a run goes on from the forces of the last one, what springs in the plane of contact
+  /// store is known: the energies of normal springs and adhesion are set to 0 and added again.
+  void reset_normal() { stored_.spring = stored_.adhesion = 0.0; }
+  void store_normal(double fraction, const StoredEnergies& stored) {
+    stored_.spring += fraction * stored.spring;
+    stored_.adhesion += fraction * stored.adhesion;
+  }
+  /// Sets those to what they were at another time, and the load.
+  void restore_normal(const StoredEnergies& stored) {
+    stored_.spring = stored.spring;
+    stored_.adhesion = stored.adhesion;
+    stored_.load = stored.load;
+  }
+  /// Adds what a contact has lost and exchanged, `fraction` of it.
+  void lose(double fraction, const ContactEnergies& energies) {
+    exchanged_ += fraction * energies.exchanged;
+    add_to(lost_, fraction, energies.before);
+    add_to(lost_later_, fraction, energies.after);
+  }
+  void lose(const ContactLosses& lost) { add_to(lost_, 1.0, lost); }
+
+  /// Adds the work of what acts on a particle that moves freely. `starts`: in the first step of a
+  /// run that takes over nothing, when nothing is stored beside the kinetic energy.
+  void end_step(const ForcesAtLevel& f, double inverse_mass, double inverse_inertia,
+                const Passage& passage, double half, bool starts) {
+    external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
+    friction.add(f.friction, f.of_contacts_torque, passage);
+    if (starts) return;
+    // Without contacts nothing is stored.
+    motion_ -= 0.5 * half * half *
+               (inverse_mass * dot(2.0 * f.all - f.of_contacts, f.of_contacts) +
+                inverse_inertia * dot(2.0 * f.torque - f.of_contacts_torque, f.of_contacts_torque));
+  }
+
+  /// Work of other forces but gravity, and of walls; work of friction and rolling friction on all
+  /// that they act on.
+  WorkOfForces external, friction;
+
+  /// Adds what there was so far to the entries of compute gran/energy.
+  void add_so_far(double factor, double* entries) const {
+    entries[energy_tally::NORMAL_DAMPING] += factor * lost_.normal_damping;
+    entries[energy_tally::TANGENTIAL_DAMPING] += factor * lost_.tangential_damping;
+    // What friction takes from the motion goes into springs, dashpots and sliding.
+    entries[energy_tally::FRICTION] -=
+        factor * (friction.so_far() + stored_.tangential_spring + stored_.rolling_spring +
+                  lost_.tangential_damping + lost_.rolling);
+    entries[energy_tally::ROLLING] += factor * lost_.rolling;
+    entries[energy_tally::EXTERNAL_WORK] += factor * external.so_far();
+    entries[energy_tally::SPRING] += factor * exchanged_;
+  }
+  /// Adds what is stored.
+  void add_stored(double* entries) const {
+    entries[energy_tally::SPRING] += stored_.spring + stored_.load + motion_;
+    entries[energy_tally::TANGENTIAL_SPRING] += stored_.tangential_spring;
+    entries[energy_tally::ADHESION] += stored_.adhesion;
+    entries[energy_tally::ROLLING_SPRING] += stored_.rolling_spring;
+  }
+
+  const StoredEnergies& stored() const { return stored_; }
+  /// After the time level.
+  const ContactLosses& lost_later() const { return lost_later_; }
+  double exchanged() const { return exchanged_; }
+  double motion() const { return motion_; }
+  /// What a later run needs to go on.
+  void restore(const StoredEnergies& stored, const ContactLosses& lost_later, double exchanged) {
+    stored_ = stored;
+    lost_later_ = lost_later;
+    exchanged_ = exchanged;
+  }
+
+ private:
+  static void add_to(ContactLosses& to, double factor, const ContactLosses& lost) {
+    to.normal_damping += factor * lost.normal_damping;
+    to.tangential_damping += factor * lost.tangential_damping;
+    to.rolling += factor * lost.rolling;
+  }
+
+  StoredEnergies stored_{};
+  double motion_ = 0.0;     // what 1/2 m v_(n-1/2) v_(n+1/2) of all is more than the kinetic energy
+  double exchanged_ = 0.0;  // part of stored.load (ContactEnergies)
+  ContactLosses lost_{}, lost_later_{};
+};
+
+}  // namespace cohesion::contact_solver

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact_solver/contact_state.h"
+#include "contact_solver/pair_motion.h"
+
+namespace cohesion::contact_solver {
+
+/// A step of a solver (ContactSolver::advance()), of which the energies are asked for.
+struct SolvedStep {
+  const StaggeredMotion& at;
+  double external;             ///< that advance() was given, [length/time^2]
+  bool first;                  ///< in the first step of a run, whose account begins
+  const ContactState& before;  ///< the state that advance() was given
+  const ContactState& after;   ///< and that it left
+  double force;                ///< [force]
+  double dissipated;           ///< ContactStep::dissipated, [energy]
+
+  /// The acceleration by other forces in the last step: a persistent contact knows them from its
+  /// own motion.
+  double used() const { return after.is_outside() ? external : after.external_before; }
+};
+
+/// Sets what the normal motion of a contact has lost and exchanged.
+template <class Solver>
+void set_normal_losses(const Solver& solver, const SolvedStep& step, ContactEnergies& energies) {
+  energies.before.normal_damping = solver.dissipated(step.at, step.before);
+  energies.after.normal_damping = step.dissipated;
+  if (!step.first) energies.exchanged = solver.exchanged(step.used(), step.before);
+}
+
+/// Sets what the normal motion of a contact stores at the time level.
+template <class Solver>
+void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
+                       StoredEnergies& stored) {
+  const bool stands =
+      step.before.phase == ContactState::unknown && step.at.distance < solver.entry_distance();
+  if (step.before.in_range() || stands) {
+    stored.spring = solver.spring_energy(contact_distance - step.at.distance);
+    stored.adhesion = solver.adhesion_energy(contact_distance - step.at.distance);
+  }
+  if (!step.first)
+    stored.load = solver.account_energy(step.at, step.used(), step.force, step.before);
+}
+
+}  // namespace cohesion::contact_solver
