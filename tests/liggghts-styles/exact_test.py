@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cohesion hamaker and square_well with scheme exact among many spheres: ranks, runs and restarts, meshes, energy,
-rest, friction; what it cannot follow is refused. Escape velocities are in head_on_test.py."""
+rest, friction; what it cannot follow is refused. Escape velocities are in escape_test.py."""
 import math
 import random
 import unittest
