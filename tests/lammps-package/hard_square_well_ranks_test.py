@@ -48,15 +48,15 @@ class RanksAndRestart(unittest.TestCase):
         return table
 
     def test_fluid(self):
-        self.same(Gas(512, 0.3, seed=4), ["* * restitution 1 well 1 1.5"], 0.02, 100, 15e3, restarted=(1, 2), skin=1.0)
+        self.same(Gas(216, 0.3, seed=4), ["* * restitution 1 well 1 1.5"], 0.02, 100, 65e2, restarted=(1, 2), skin=1.0)
 
     def test_steps_of_a_mean_free_time(self):
-        gas = Gas(500, 0.4, 2, (0.4, 0.6))
-        self.same(gas, [f"* * restitution 1 well {DEPTH} {RATIO}"], 0.28, 20, 1e4, skin=4.5)
+        gas = Gas(200, 0.4, 2, (0.4, 0.6))
+        self.same(gas, [f"* * restitution 1 well {DEPTH} {RATIO}"], 0.28, 20, 4e3, skin=4.5)
 
     def test_discs_between_walls_with_friction(self):
-        gas = Gas(400, 0.5, 2, (0.4, 0.6), seed=3)
-        self.same(gas, [f"* * restitution 0.9 friction 0.3 well {DEPTH} {RATIO}"], 0.05, 200, 1e4,
+        gas = Gas(160, 0.5, 2, (0.4, 0.6), seed=3)
+        self.same(gas, [f"* * restitution 0.9 friction 0.3 well {DEPTH} {RATIO}"], 0.05, 200, 48e2,
                   ranks=(2, 4), restarted=(4,), spin=gas.spin(), skin=1.0, boundary="p f p",
                   more=["fix sides all wall/hard/square_well restitution 0.8 friction 0.3 "
                         f"yplane 0 {gas.length:.17g}"])
