@@ -11,8 +11,8 @@ import unittest
 from pathlib import Path
 
 from cohesion_studies import expected, package_tree
-from cohesion_studies.bed import analyse, bed_case, figures
-from cohesion_studies.bed.geometry import FILE, Geometry
+from cohesion_studies.bed import analyse, figures
+from cohesion_tests.narrow_bed import make_narrow
 
 SOURCE = Path(__file__).resolve().parents[2]
 BED = SOURCE / "examples/fluidised-bed"
@@ -51,16 +51,11 @@ def schedule():
 
 
 def narrow_case(folder):
-    """The case with cells as wide in a quarter of the width, of which it keeps an odd number, every second of the plate
-    blowing, and its brief schedule shorter; the words of run.py for it."""
+    """The case in a quarter of the width, its brief schedule shorter; the words of run.py for it."""
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(BED / "case", folder)
-    whole = Geometry.read(folder)
-    narrow = Geometry(whole.width / 4, whole.across // 4 + 1 - whole.across // 4 % 2, whole.up)
-    (folder / FILE).write_text(narrow.text())
+    make_narrow(folder)
     (folder / "constant/schedule.brief").write_text(schedule())
-    entries = folder / bed_case.COUPLING
-    entries.write_text(entries.read_text().replace(f"width   {whole.width};", f"width   {narrow.width};"))
     return "--case", str(folder)
 
 

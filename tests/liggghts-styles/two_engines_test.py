@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same cohesive scene of 500 spheres in LAMMPS and in LIGGGHTS: the same path for as long as
+"""The same cohesive scene of 210 spheres in LAMMPS and in LIGGGHTS: the same path for as long as
 rounding allows, then the same statistics. Without friction, of which the two engines have different
 laws."""
 
@@ -13,12 +13,12 @@ from cohesion_tests import lammps
 from cohesion_tests.liggghts_scenes.scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames,
                                                   hamaker, liquid_bridge, sphere, square_well)
 
-COUNT, CELLS, PITCH = 500, 8, 1.4e-3
+COUNT, CELLS, PITCH = 210, 6, 1.4e-3
 SIZE = CELLS * PITCH
 SPEED = 0.1
 A, DEPTH = 1e-11, 4e-9  # a pair gains 8e-10 and 4e-9 J; it approaches with 5e-9 J
 FORCE, GAP = 4e-4, 1e-5  # of bridges, which take 4e-9 J
-DT, STEPS, EVERY = 2e-6, 20000, 200
+DT, STEPS, EVERY = 2e-6, 12000, 200
 LAMMPS = """plugin load {plugin}
 units si
 atom_style sphere

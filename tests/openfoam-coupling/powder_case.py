@@ -79,9 +79,8 @@ class PowderCase(CoupledTestCase):
                               across / 2 - nearest(5e-4))
         self.expect_true(f"{name}: all are above the plate", places[:, 2].min() > nearest(4e-4))
 
-    @unittest.skipUnless(ENGINE == "lammps", "the gas's mesh, with every engine")
-    def test_one_size_in_finer_cells(self):
-        self.check("finer", "--diameter", 5e-4, "--cell", 2, *BOX, cell=1e-3)
+    def test_two_sizes_in_finer_cells(self):
+        self.check("two", "--diameter", 4e-4, 6e-4, "--cell", 2, *BOX, cell=1e-3)
 
     def test_column(self):
         self.check("column", "--diameter", 5e-4, *COLUMN, across=0.009)
@@ -100,7 +99,7 @@ class PowderCase(CoupledTestCase):
                          float(pairs[0][-2]) / said["material_escape"], 1, 5e-3)
 
     def test_parcels(self):
-        log = self.check("parcels", "--diameter", 2e-4, 3e-4, "--coarse-graining", 2, *BOX)
+        log = self.check("parcels", "--diameter", 2.5e-4, "--coarse-graining", 2, *BOX)
         self.expect_true("what spheres stand for is in the log", "coarseGraining 2: each sphere stands for 8 grains" in log)
 
 
