@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """fluidised_bed.py BUILD_FOLDER short|brief: the main job of examples/fluidised-bed, or a shorter schedule in a case of
-a quarter of the width, against its expectations. Takes over the results when this very build has run the job already."""
+a quarter of the width, against its expectations. Takes over the results when this very build has run the job
+already."""
 
 import dataclasses
 import math

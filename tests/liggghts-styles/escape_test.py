@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Capture and escape with scheme exact in LIGGGHTS: pairs, planes, cylinders and meshes of 1, 2 and 200 triangles, every
-law, head-on to 80 degrees, at any step and any phase of it, against an integration that knows nothing of the package.
-The same for LAMMPS: tests/lammps-package/escape_test.py."""
+"""Capture and escape with scheme exact in LIGGGHTS: pairs, planes, cylinders and meshes of 1, 2 and 200 triangles,
+every law, head-on to 80 degrees, at any step and any phase of it, against an integration that knows nothing of the
+package. The same for LAMMPS: tests/lammps-package/escape_test.py."""
 import unittest
 
 from cohesion_tests import escape_table, lammps as engine

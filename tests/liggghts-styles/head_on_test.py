@@ -44,8 +44,8 @@ def limits(cohesion, factors, dt, steps, wall):
     models = MODELS + cohesion
     walls = [f"fix plate all wall/gran {models} primitive type 2 xplane -8.5e-3 {SETTINGS}"] if wall else []
     properties = hamaker(A, cut=CUT, out=OUT) if cohesion == "hamaker" else square_well(DEPTH, ratio=RATIO)
-    end = Run(script(spheres, models + SETTINGS, properties, dt=dt, steps=steps, every=steps, contacts=contact(wall=2.0),
-                     skin=2e-4, walls=walls)).frames("out.txt")[-1]
+    end = Run(script(spheres, models + SETTINGS, properties, dt=dt, steps=steps, every=steps,
+                     contacts=contact(wall=2.0), skin=2e-4, walls=walls)).frames("out.txt")[-1]
     if wall:
         gaps = [end[n][0] + 8.5e-3 - RADIUS for n in range(1, len(speeds) + 1)]
     else:

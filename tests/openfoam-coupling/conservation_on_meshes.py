@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """On skewed hexahedra, tetrahedra, polyhedra with warped faces and cubes with hanging corners, on 1 and 2
-ranks, one of them on 4: in every step of a swarm of falling, colliding spheres the gas gives what the particles get, the
-solid volume on the mesh is that of the particles, and no gas is lost; and the ranks see the same."""
+ranks, one of them on 4: in every step of a swarm of falling, colliding spheres the gas gives what the particles get,
+the solid volume on the mesh is that of the particles, and no gas is lost; and the ranks see the same."""
 
 import re
 import shutil

@@ -98,6 +98,7 @@ class PowderCase(CoupledTestCase):
         self.expect_near("v_esc of the engine's table over the program's [1]",
                          float(pairs[0][-2]) / said["material_escape"], 1, 5e-3)
 
+    @unittest.skipUnless(ENGINE == "lammps", "the coupling's part, with every engine")
     def test_parcels(self):
         log = self.check("parcels", "--diameter", 2.5e-4, "--coarse-graining", 2, *BOX)
         self.expect_true("what spheres stand for is in the log", "coarseGraining 2: each sphere stands for 8 grains" in log)

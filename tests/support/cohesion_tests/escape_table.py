@@ -17,8 +17,8 @@ from cohesion_tests.theory.pair_motion import CONTACT_TIME, CUT, DAMPING, DENSIT
 
 RADIUS = DIAMETER / 2
 PHASES = 8  # of the time step at the beginning of the attraction
-# Head-on only rounding errs: of the gap, 3e-17 m at each edge and step in a box of 0.25 m at most, 5e-20 J of 1e-13 J at
-# least in energy, half of that in speed. At an angle a step that turns errs, by what gran_hamaker_couple_test.py
+# Head-on only rounding errs: of the gap, 3e-17 m at each edge and step in a box of 0.25 m at most, 5e-20 J of 1e-13 J
+# at least in energy, half of that in speed. At an angle a step that turns errs, by what gran_hamaker_couple_test.py
 # measures: below the grade.
 FINE, GRADE = 1e-6, 1e-3
 PAIR_ANGLES, WALL_ANGLES = (0, 20, 40, 60, 80), (0, 40, 80)  # [degrees]
@@ -28,8 +28,8 @@ LAYER = 0.01  # height between the bodies outside the cylinder [m]
 
 
 class LinearContact:
-    """A row: normal motion, words of both engines, and lengths of the run. These are of a spring and a dashpot, twice as
-    large at a wall, with an attraction that a subclass adds."""
+    """A row: normal motion, words of both engines, and lengths of the run. These are of a spring and a dashpot, twice
+    as large at a wall, with an attraction that a subclass adds."""
 
     NAME = ""  # of the pair style gran/NAME and the cohesion model
     MODEL = "hooke/stiffness"  # normal model of LIGGGHTS
@@ -190,8 +190,8 @@ class Encounter:
 
 
 class Table:
-    """All encounters of a law at a step of the contact time over `division`. Planes lie above each other in the order of
-    `bodies`, the first at z = 0; pairs have a layer of their own between them."""
+    """All encounters of a law at a step of the contact time over `division`. Planes lie above each other in the order
+    of `bodies`, the first at z = 0; pairs have a layer of their own between them."""
 
     def __init__(self, law, bodies, division):
         self.law, self.bodies, self.division = law, bodies, division
@@ -253,8 +253,8 @@ class Table:
             last += count
 
     def wrong(self, snapshots):
-        """Lines on encounters that did not end as they should, of places (snapshot, atom, 3). The last three snapshots count:
-        a captured pair may be found half a step beyond its edge, where it turns round, but not three times."""
+        """Lines on encounters that did not end as they should, of places (snapshot, atom, 3). The last three snapshots
+        count: a captured pair may be found half a step beyond its edge, where it turns round, but not three times."""
         x = numpy.asarray(snapshots)[-3:]
         for encounter, numbers in self.numbers():
             place, body = x[:, numbers[0]], encounter.body

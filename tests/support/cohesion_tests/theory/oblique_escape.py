@@ -14,9 +14,9 @@ from cohesion_tests.theory.pair_motion import CONTACT_TIME, DIAMETER, MU
 
 @dataclass(frozen=True)
 class NormalLaw:
-    """Motion of a pair along its normal. way_in, way_out: potential energy [J] of the attraction at a gap [m] before and
-    after contact, 0 where it does not act; force: by which a contact drives the surfaces apart [N], of its overlap [m]
-    and the rate of that [m/s]; parting_gap: at which contact ends (a neck: > 0); reach: gap at which way_out ends
+    """Motion of a pair along its normal. way_in, way_out: potential energy [J] of the attraction at a gap [m] before
+    and after contact, 0 where it does not act; force: by which a contact drives the surfaces apart [N], of its overlap
+    [m] and the rate of that [m/s]; parting_gap: at which contact ends (a neck: > 0); reach: gap at which way_out ends
     in a step, or beyond the gap from which pairs start."""
 
     way_in: Callable
@@ -29,8 +29,8 @@ class NormalLaw:
         """Of the relative motion along the normal [J], of which the most that escaping needs is subtracted: < 0 when
         captured. Where the gap is `start`, the velocity is at `angle` to the normal, `speed` [m/s] along it.
 
-        Turning acts on the normal motion as an energy that grows inwards. A pair that does not come out at once has lost
-        energy and none of its angular momentum: it never will."""
+        Turning acts on the normal motion as an energy that grows inwards. A pair that does not come out at once has
+        lost energy and none of its angular momentum: it never will."""
         momentum = (DIAMETER + start) * speed * math.tan(angle)  # over MU
 
         def walls(energy, first, last):
@@ -67,6 +67,6 @@ class NormalLaw:
         return 0.5 * MU * (path.y_events[0][0][1] * entry)**2 + outwards[0] - max(outwards)
 
     def escape_velocity(self, angle, start):
-        """Along the normal [m/s]. On the way through the tail of a Hamaker attraction, H_cut to H_out, the turning helps
-        the pair out: at 80 degrees a pair needs up to 1.7e-3 less speed than to cross the tail's energy at H_cut."""
+        """Along the normal [m/s]. On the way through the tail of a Hamaker attraction, H_cut to H_out, the turning
+        helps the pair out: at 80 degrees a pair needs up to 1.7e-3 less speed than to cross the tail's energy at H_cut."""
         return brentq(self.energy_left, 1e-4, 1.0, args=(angle, start), xtol=1e-13)
