@@ -194,9 +194,9 @@ class Settling(unittest.TestCase):
         self.comes_to_rest(0)
 
     def test_without_adhesion_in_small_steps(self):
-        # The median of three: in one bed of five or so a sphere comes to its place late.
-        values = sorted(self.kinetic_over_limit(0, 20, 1e-9, seed, 0.0) for seed in (1, 2, 3))
-        self.assertLess(values[1], 1.0)
+        # The median of five: in one bed of five or so a sphere comes to its place late.
+        values = sorted(self.kinetic_over_limit(0, 20, 1e-9, seed, 0.0) for seed in (1, 2, 3, 4, 5))
+        self.assertLess(values[2], 1.0)
 
     def test_adhesion_of_one_weight(self):
         self.comes_to_rest(1)

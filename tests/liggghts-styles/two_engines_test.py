@@ -18,7 +18,7 @@ SIZE = CELLS * PITCH
 SPEED = 0.1
 A, DEPTH = 1e-11, 4e-9  # a pair gains 8e-10 and 4e-9 J; it approaches with 5e-9 J
 FORCE, GAP = 4e-4, 1e-5  # of bridges, which take 4e-9 J
-DT, STEPS, EVERY = 2e-6, 12000, 200
+DT, STEPS, EVERY = 2e-6, 20000, 200
 LAMMPS = """plugin load {plugin}
 units si
 atom_style sphere
@@ -124,9 +124,9 @@ class TwoEngines(unittest.TestCase):
                 # Of four: Student's t at 1 %, both sides, is 5.8.
                 error = difference.std(axis=0, ddof=1) / 2
                 self.assertTrue((numpy.abs(difference.mean(axis=0)) <= 5.8 * error).all(), difference)
-                # Cohesion acts in this scene. A gas without it, n spheres in the volume, has
-                # 2 pi n d^2 times the range, 0.02, in range per sphere.
-                self.assertGreater(ends[..., 1].min(), 0.1)
+                # Cohesion acts in this scene. A gas without it, n spheres in the volume, has 2 pi n d^2 times the
+                # range, 0.022, in range per sphere, and in the mean of four 0.005 more or less by chance.
+                self.assertGreater(ends[..., 1].mean(), 0.07)
 
 
 if __name__ == "__main__":
