@@ -21,7 +21,7 @@ BUILD, WORK = os.environ["COHESION_BUILD"], Path(os.environ["COHESION_WORK"])
 DENSITY, STIFFNESS = 2500, 100
 GRAINS = ("--density", DENSITY, "--stiffness", STIFFNESS, "--hamaker", 6.5e-20, "--engine", ENGINE)
 BOX = ("--width", 0.05, "--depth", 0.05, "--height", 0.08, "--grains", 900)
-COLUMN = ("--column", 0.0091, "--height", 0.006, "--grains", 4000)
+COLUMN = ("--column", 0.0091, "--height", 0.003, "--grains", 2000)
 
 
 def entry(case, name):
