@@ -42,7 +42,7 @@ print "found held ${held} plate_pull ${plate_pull}"
 write_dump all custom places id x y vx vy modify format float %.17g
 """
 STEP = 1.5e-5  # [s]
-DEPTH, RATIO, DIAMETER, WIDTH = 5e-11, 1.02, 1e-3, 0.08
+DEPTH, RATIO, DIAMETER, WIDTH = 5e-11, 1.02, 1e-3, 0.02
 
 
 def bed(look=LOOK, A=7.49e-19, **variables):
@@ -52,7 +52,7 @@ def bed(look=LOOK, A=7.49e-19, **variables):
         script.write_text(f"include {CASE / 'bed.lmp'}\n{look}")
         command = [BUILD / "lammps/stock/lmp-cohesion", "-in", script, "-log", "none"]
         given = {"plugin": BUILD / "lammps/stock/cohesionplugin.so", "A": A, "dt": 1.125e-5,
-                 "settle": 0.03, "node": 3.333e-3, **variables}
+                 "settle": 0.03, "node": 3.333e-3, "width": WIDTH, **variables}
         for name, value in given.items():
             command += ["-var", name, value]
         done = subprocess.run([str(word) for word in command], cwd=folder, capture_output=True, text=True)
@@ -87,8 +87,8 @@ class Mechanisms(unittest.TestCase):
         for name, on in (("side", side), ("plate", plate)):
             self.assertEqual(found[name] != "none" and found[name] < 0, on, found)
             self.assertEqual(found[name] == "none", not on, found)
-        # A sum of wall forces of some 0.05 N, with six digits printed.
-        self.assertAlmostEqual(found["pulled"], found["pull"], delta=1e-7)
+        # A sum of wall forces of some 0.01 N, with six digits printed.
+        self.assertAlmostEqual(found["pulled"], found["pull"], delta=2e-8)
         # The plate pulls down.
         self.assertEqual(found["pull"] < 0, plate, found)
 

@@ -21,6 +21,7 @@ from cohesion_studies.bed.bed_case import parameters
 from cohesion_studies.foam_case import CaseError, environment
 from cohesion_studies.job_pool import RunError, carry_out, require_ours
 from cohesion_studies.lammps_run import launcher
+from cohesion_tests.narrow_bed import make_narrow
 from small_beds import BUILD, SmallBeds, variables
 
 TABLE = ("name, A, cohesion_side, settle, scheme\n"
@@ -37,6 +38,10 @@ def restitution(stiffness, damping, mass):
 
 
 class Beds(SmallBeds):
+    def setUp(self):
+        super().setUp()
+        make_narrow(self.folder / "case")
+
     def test_a_table_of_beds(self):
         table, out = self.folder / "table.csv", self.folder / "out"
         table.write_text(TABLE)
@@ -194,14 +199,14 @@ class Beds(SmallBeds):
         windows the weights are linear in time, a quarter about their mean: forces that differ there from their mean by
         the weight of the bed, up and down, count for an eighth of it each: 4/8/25 = 2 %."""
         program, plugin = launcher(BUILD)
-        dt, mass = 1.125e-5, 4000 * math.pi / 6 * 2650 * 1e-9
+        dt, mass = 1.125e-5, 1000 * math.pi / 6 * 2650 * 1e-9
         for scheme in ("sampled", "exact"):
             for A, D in ((0, 0), (7.49e-19, 0), (0, 5e-11)):
                 folder = self.folder / f"{scheme}-{A}-{D}"
                 folder.mkdir()
                 (folder / "in.bed").write_text(f"include {self.folder / 'case/bed.lmp'}\nunfix gas\nrun 2000\n")
                 given = {"plugin": plugin, "A": A, "dt": dt, "settle": 0.01, "node": 3.333e-3, "scheme": scheme,
-                         "D": D, "law": "square_well" if D else "hamaker"}
+                         "D": D, "law": "square_well" if D else "hamaker", "width": 0.02}
                 words = [word for name, value in given.items() for word in ("-var", name, str(value))]
                 subprocess.run([program, "-in", "in.bed", *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
                 rows = read_columns(folder / "bed.dat")

@@ -6,7 +6,6 @@ import unittest
 
 import numpy
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 
 from cohesion_tests.lammps_scenes.exact_wall import (CUT, DIAMETER, MASS, OUT, RADIUS, ROUNDING, SPEED, STIFFNESS, W0,
                                                      ExactWall, alpha, contact_time, say)
@@ -101,69 +100,6 @@ class Impact(ExactWall):
             # Friction is no adhesion.
             self.assertGreater(values["f_walls[1]"], 0.0)
             self.assertLess(abs(values["f_walls[4]"]), ROUNDING * values["f_walls[1]"])
-
-
-class Escape(ExactWall):
-    RESTITUTION = 0.9
-    OFFSETS = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1]
-    # The scheme follows a head-on impact exactly, the tail's energy at once: what is left is the
-    # grading. The integration's tolerances are two orders below it.
-    TOLERANCE = 2e-6
-
-    def left(self, speed, constant):
-        """Energy left far from the wall of an impact with `speed`: spring, dashpot and constant
-        attraction in contact; outside, the attraction only lends."""
-        pull = constant * RADIUS / (6 * CUT**2)
-        well = constant * RADIUS / 6 * (1 / CUT - 1 / OUT) + pull * CUT
-        entry = math.sqrt(speed**2 + 2 * well / MASS)
-        damping = 2 * MASS * alpha(self.RESTITUTION)
-
-        # In units in which the overlap is of order one. One swing, in steps that resolve a
-        # flight that the adhesion turns round at once.
-        size = entry / W0
-
-        def motion(_, s):
-            overlap, rate = s[0] * size, s[1] * entry
-            return [rate / size / W0,
-                    (pull - STIFFNESS * overlap - damping * rate) / MASS / entry / W0]
-
-        def parted(_, s):
-            return s[0]
-
-        parted.terminal, parted.direction = True, -1
-        path = solve_ivp(motion, (0.0, 8.0), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=1e-13,
-                         max_step=0.02, events=parted)
-        if not len(path.t_events[0]):
-            return -well
-        return 0.5 * MASS * (path.y_events[0][0][1] * entry) ** 2 - well
-
-    def test_escape_velocity(self):
-        worst = 0.0
-        for constant in (1e-19, 5e-19, 2e-18):
-            reference = brentq(self.left, 1e-5, 1.0, args=(constant,), xtol=1e-13, rtol=1e-10)
-            for parts in (4, 10, 50):
-                low, high = self.measure(reference, constant, parts)
-                say(f"escape velocity, A = {constant} J, t_c/{parts}: {reference:.7g} m/s, LAMMPS "
-                    f"between 1{low:+.0e} and 1{high:+.0e} of it")
-                worst = max(worst, -low, high)
-        self.assertLessEqual(worst, self.TOLERANCE)
-
-    def measure(self, reference, constant, parts):
-        dt = contact_time(self.RESTITUTION) / parts
-        order = sorted([-o for o in self.OFFSETS] + self.OFFSETS)
-        x = self.places(len(order))
-        speeds = [reference * (1 + offset) for offset in order]
-        for k, place in enumerate(x):
-            place[2] = 0.01 + RADIUS + CUT + speeds[k] * dt * (1 + k * 0.618 % 1)
-        self.write(x, [(0.0, 0.0, -speed) for speed in speeds])
-        end = self.run_wall(f"stiffness {STIFFNESS} restitution {self.RESTITUTION} hamaker "
-                            f"{constant} cutoff {CUT} {OUT} zplane 0.01 NULL", dt, 4 * parts)
-        free = end[:, 3] - 0.01 - RADIUS > 1.01 * CUT
-        captured = [o for o, parted in zip(order, free) if not parted]
-        escaped = [o for o, parted in zip(order, free) if parted]
-        self.assertTrue(captured and escaped, f"all ended alike: {end[:, 3] - 0.01 - RADIUS}")
-        self.assertLess(max(captured), min(escaped))
-        return max(captured), min(escaped)
 
 
 class Moving(ExactWall):

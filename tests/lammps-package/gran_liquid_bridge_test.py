@@ -50,15 +50,6 @@ class HeadOn(unittest.TestCase):
         widths = numpy.repeat([gap for _, gap in LAWS], len(factors) * POSITIONS)
         return have_parted(gaps(path), widths).reshape(len(LAWS), len(factors), POSITIONS)
 
-    def test_escape_velocity_at_any_step(self):
-        # Rounding: the gap, 3e-17 m at the edge of a box of 0.1 m, once at each step in contact, w0
-        # 3e-17 m = 1e-12 m/s of 0.02 m/s, and what it loses in the difference, ten times.
-        for division in (4, 8, 16, 50):
-            for grade in (1e-3, 1e-6):
-                parted = self.parted("exact", division, (1 - grade, 1 + grade))
-                self.assertFalse(parted[:, 0].any(), f"t_c/{division}, 1 - {grade}")
-                self.assertTrue(parted[:, 1].all(), f"t_c/{division}, 1 + {grade}")
-
     def test_sampled_scheme_converges_to_the_same(self):
         # Leapfrog's contact is off by up to a step of its dashpot, 2 zeta w0 dt = 0.034 pi/division of
         # the speed, and the rupture by up to a step of flight: F v dt of F h_r.
@@ -158,27 +149,6 @@ class Passes(unittest.TestCase):
 
 
 class Walls(Scene):
-    def test_escape_velocity_from_a_wall(self):
-        # A wall is a partner of infinite mass: mu = m.
-        alpha = DAMPING / (2 * MASS)
-        t_c = math.pi / math.sqrt(STIFFNESS / MASS - alpha**2)
-        factors = [1 - 1e-3, 1 - 1e-6, 1 + 1e-6, 1 + 1e-3]
-        for division in (4, 16):
-            dt, atoms = t_c / division, []
-            for k, factor in enumerate(factors):
-                speed = factor * escape_velocity(mass=MASS)
-                for position in range(POSITIONS):
-                    height = DIAMETER / 2 + 1e-7 + speed * dt * position / POSITIONS
-                    atoms.append(self.sphere((2e-3 * (k + 1), 2e-3 * (position + 1), height),
-                                             (0.01, 0.0, -speed)))
-            self.follow(atoms, ["* * " + words(0.0, 0.0)], dt, 120 * division, box=3 * [(0.0, 0.02)],
-                        every=12 * division, style=STYLE,
-                        fixes=[f"fix w all wall/{STYLE} " + words() + " zplane 0 NULL"])
-            parted = have_parted(self.course()[:, :, 3] - DIAMETER / 2, GAP)
-            parted = parted.reshape(len(factors), POSITIONS)
-            self.assertEqual([row.all() for row in parted], [False, False, True, True])
-            self.assertEqual([row.any() for row in parted], [False, False, True, True])
-
     def test_nothing_before_touch(self):
         # A sphere that a run finds in the gap of rupture falls freely, with friction and all.
         end = self.follow([self.sphere((5e-3, 5e-3, DIAMETER / 2 + 0.5 * GAP), (0, 0, 0.01))],

@@ -50,19 +50,6 @@ class HeadOn(unittest.TestCase):
         factors = numpy.array(factors)
         return [(factors[p.any(axis=1)].min(), factors[~p.all(axis=1)].max()) for p in parted]
 
-    def test_escape_velocity_at_any_step(self):
-        # v_esc = sqrt(2 D/mu (1/e^2 - 1)). Rounding: the gap, 3e-17 m at the edge of a box of 0.1 m,
-        # once at each step in contact, w0 3e-17 m = 1e-12 m/s of 5e-3 m/s, and what the energy that
-        # decides loses in the difference, ten times.
-        grades = [10.0**-k for k in range(1, 7)]
-        factors = sorted([1 - g for g in grades] + [1 + g for g in grades])
-        for division in (4, 10, 50):
-            for depth, (low, high) in zip(DEPTHS, self.limits("exact", division, factors)):
-                report(f"exact, t_c/{division}, D {depth:g} J, {escape_velocity(depth):.5g} m/s: "
-                       f"slowest parted {low:.6f}, fastest captured {high:.6f}")
-                self.assertAlmostEqual(low, 1 + 1e-6, delta=1e-9)
-                self.assertAlmostEqual(high, 1 - 1e-6, delta=1e-9)
-
     def test_sampled_scheme_converges_to_the_same(self):
         # The impulses of a head-on passage are right at any place; what errs is the sampled contact,
         # whose energy leapfrog gets wrong by what depends on the position of the contact in the step.
@@ -90,22 +77,6 @@ class HeadOn(unittest.TestCase):
         # A hundred roundings of places, of which the direction is made, and of speeds.
         expected = 0.5 * MU * speed**2 - 5e-11
         self.assertLess(numpy.abs(energies - expected).max(), 1e-12 * expected)
-
-    def test_a_well_at_touch(self):
-        # ratio 1: the same escape velocity; the well has no width.
-        for division in (4, 10):
-            atoms, factors = [], (1 - 1e-6, 1 + 1e-6)
-            for factor in factors:
-                for position in range(POSITIONS):
-                    speed = factor * escape_velocity(5e-11)
-                    atoms += couples.couple(len(atoms) // 2,
-                                            1e-7 + speed * T_C / division * position / POSITIONS,
-                                            (0.0, speed, 0.0))
-            path = couples.run(atoms, ["* * " + words(5e-11, 1.0)], T_C / division, 200 * division,
-                               style="gran/square_well", every=20 * division)[0]
-            parted = have_parted(gaps(path), 0.0).reshape(2, POSITIONS)
-            self.assertFalse(parted[0].any())
-            self.assertTrue(parted[1].all())
 
     def test_equal_escape_velocity_as_hamaker(self):
         # D = mu v_esc^2/(2 (1/e^2 - 1)), the pair of A = 7.49e-19 J by its own integration: what
@@ -203,7 +174,7 @@ class Passes(unittest.TestCase):
 
 class Captured(Scene):
     def test_pairs_captured_under_gravity_stay(self):
-        # 1e5 steps: a sphere that hangs in the well of one that is held, as wide as 0.001 d
+        # 3e4 steps: a sphere that hangs in the well of one that is held, as wide as 0.001 d
         # (m g w = 1.4e-11 J < D), elastic; the same on top of it; one at its side; a pair on a floor.
         depth, ratio = 1e-10, 1.001
         atoms = []
@@ -213,7 +184,7 @@ class Captured(Scene):
                       self.sphere(x + (DIAMETER + gap) * numpy.array(direction))]
         floor = numpy.array([2e-3, 6e-3, 0.5e-3])
         atoms += [self.sphere(floor), self.sphere(floor + (1.0005 * DIAMETER, 0, 0))]
-        self.follow(atoms, ["* * " + words(depth, ratio, 0.0)], T_C / 4, 100000, every=1000,
+        self.follow(atoms, ["* * " + words(depth, ratio, 0.0)], T_C / 4, 30000, every=300,
                     fixes=["fix floor all wall/gran/square_well stiffness 800 damping 0 zplane 0 NULL",
                            "fix g moving gravity 9.81 vector 0 0 -1"])
         course = self.course()
@@ -227,7 +198,7 @@ class Captured(Scene):
         energy = 0.5 * MASS * (course[:, :, 4:7]**2).sum(axis=2) + MASS * 9.81 * course[:, :, 3]
         gain = (energy - energy[0]).max() / depth
         lost = (energy[0] - energy[-1]) / depth
-        report(f"captured under gravity, 1e5 steps: most energy gained {gain:.3f} D; lost below, on top, "
+        report(f"captured under gravity, 3e4 steps: most energy gained {gain:.3f} D; lost below, on top, "
                f"floor: {lost[1]:.3f}, {lost[3]:.3f}, {lost[4]:.3f} D")
         self.assertLess(gain, 0.1)
 
@@ -240,10 +211,10 @@ class Captured(Scene):
         v = 0.3 * well_speed(depth) * numpy.array([[1, 0.2, 0.1], [-0.8, 0.5, 0.0],
                                                    [-0.2, -0.7, -0.1]])
         self.follow([self.sphere(a, b) for a, b in zip(x, v)], ["* * " + words(depth, ratio, 0.0)],
-                    dt, 100000, every=1000, boundary="p p p")
+                    dt, 30000, every=300, boundary="p p p")
         table, _ = gas.table(self.output)
         drift = numpy.abs(table[:, 12]).max() / table[0, 3]
-        report(f"three captured, 1e5 steps at t_c/10: energy within {drift:.1e} of the kinetic")
+        report(f"three captured, 3e4 steps at t_c/10: energy within {drift:.1e} of the kinetic")
         course = self.course()
         for a, b in ((0, 1), (1, 2), (0, 2)):
             d = course[:, a, 1:4] - course[:, b, 1:4]
@@ -252,32 +223,6 @@ class Captured(Scene):
 
 
 class Walls(Scene):
-    def test_escape_velocity_from_a_wall(self):
-        # A wall is a partner of infinite mass: mu = m.
-        depth = 1e-10
-        alpha = DAMPING / (2 * MASS)
-        q = math.sqrt(STIFFNESS / MASS - alpha**2)
-        e = math.exp(-math.pi * alpha / q)
-        factors = [1 - 1e-2, 1 - 1e-6, 1 + 1e-6, 1 + 1e-2]
-        for ratio in (1.0, 1.02):
-            width = (ratio - 1) * DIAMETER / 2
-            dt = math.pi / q / 4
-            atoms = []
-            for k, factor in enumerate(factors):
-                speed = factor * escape_velocity(depth, MASS, e)
-                for position in range(POSITIONS):
-                    height = DIAMETER / 2 + width + 1e-7 + speed * dt * position / POSITIONS
-                    atoms.append(self.sphere((2e-3 * (k + 1), 2e-3 * (position + 1), height),
-                                             (0.0, 0.0, -speed)))
-            box = [(0.0, 0.02)] * 3
-            self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 2000, box=box, every=101,
-                        fixes=["fix w all wall/gran/square_well " + words(depth, ratio) +
-                               " zplane 0 NULL"])
-            parted = have_parted(self.course()[:, :, 3] - DIAMETER / 2, width)
-            parted = parted.reshape(len(factors), POSITIONS)
-            self.assertEqual([row.all() for row in parted], [False, False, True, True])
-            self.assertEqual([row.any() for row in parted], [False, False, True, True])
-
     def test_sampled_wall(self):
         # The velocity that the dashpot sees is half a step old: up to w0 dt/2 = 0.9 % of what it
         # takes, and that is what decides. Leapfrog's own error of (w0 dt)^2/8 of the energy is
@@ -300,11 +245,11 @@ class Walls(Scene):
 
     def test_elastic_sphere_captured_in_a_corner(self):
         # Three walls, D each: captured by all, motion along each axis is its own: |v| at the grid
-        # points outside contact and turns is the same after 1e5 steps.
+        # points outside contact and turns is the same after 3e4 steps.
         depth, ratio, dt = 1e-10, 1.05, T_C / 4
         v = 0.7 * well_speed(depth, MASS) * numpy.array([1.0, -0.83, 0.71])
         atoms = [self.sphere(DIAMETER / 2 * numpy.array([1.02, 1.03, 1.01]), v)]
-        self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 100000, every=100,
+        self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 30000, every=30,
                     fixes=["fix w all wall/gran/square_well " + words(depth, ratio, 0.0) +
                            " xplane 0 NULL yplane 0 NULL zplane 0 NULL"])
         course = self.course()[:, 0]
@@ -313,11 +258,11 @@ class Walls(Scene):
         self.assertGreater(inside.sum(), 200)
         self.assertLess(course[:, 1:4].max(), 0.5 * ratio * DIAMETER + 1e-6)
         error = numpy.abs(numpy.abs(course[inside, 4:7]) / numpy.abs(v) - 1).max()
-        report(f"corner, 1e5 steps: speeds along the axes change by {error:.1e}")
+        report(f"corner, 3e4 steps: speeds along the axes change by {error:.1e}")
         # Where two walls act in one step, half of the way that one moves the sphere by, below dt times
         # the change of speed 2 v, tilts the other's normal by that over R: 2 v dt/R of the speed, in
-        # one of ten of the 2000 turns, at random.
-        self.assertLess(error, 5 * math.sqrt(200) * 2 * v[0] * dt / (DIAMETER / 2))
+        # one of ten of the 600 turns, at random.
+        self.assertLess(error, 5 * math.sqrt(60) * 2 * v[0] * dt / (DIAMETER / 2))
 
     def test_own_depth_or_none(self):
         # Without `well` the wall only repels.

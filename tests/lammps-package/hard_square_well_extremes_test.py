@@ -133,9 +133,6 @@ class Order(unittest.TestCase):
     def test_chain(self):
         self.chain(1)
 
-    def test_chain_on_two_ranks(self):
-        self.chain(2)
-
     def test_chain_on_four_ranks(self):
         self.chain(4)
 

@@ -37,17 +37,18 @@ def both(triangles, spheres, cohesion, properties, primitive, **options):
 
 class Planes(unittest.TestCase):
     def test_at_rest_on_faces_borders_and_nodes(self):
-        for cells, triangles in FLAT.items():
-            for gap in (-2e-6, 0.5 * CUT, 3e-6, 0.9 * OUT):
+        places = [(0, 0), (CELL, CELL), (-2 * CELL, CELL),  # nodes of the 200
+                  (0.5 * CELL, 3 * CELL), (-3 * CELL, 0.3 * CELL),  # their straight sides
+                  (2.4 * CELL, 2.4 * CELL), (-2.5 * CELL, 1.5 * CELL),  # and diagonals
+                  (1.3e-3, -3.1e-3), (-2.77e-3, 4.1e-3)]
+        models = MODELS + "hamaker"
+        for gap in (-2e-6, 0.5 * CUT, 3e-6, 0.9 * OUT):
+            spheres = [sphere((x, y, RADIUS + gap)) for x, y in places]
+            plane = frames(spheres, models, hamaker(A), walls=["primitive type 2 zplane 0"])
+            for cells, triangles in FLAT.items():
                 with self.subTest(triangles=cells, gap=gap):
-                    height = RADIUS + gap
-                    places = [(0, 0), (CELL, CELL), (-2 * CELL, CELL),  # nodes of the 200
-                              (0.5 * CELL, 3 * CELL), (-3 * CELL, 0.3 * CELL),  # their straight sides
-                              (2.4 * CELL, 2.4 * CELL), (-2.5 * CELL, 1.5 * CELL),  # and diagonals
-                              (1.3e-3, -3.1e-3), (-2.77e-3, 4.1e-3)]
-                    spheres = [sphere((x, y, height)) for x, y in places]
-                    mesh, plane = both(triangles, spheres, "hamaker", hamaker(A), ["zplane 0"])
-                    own, _ = both(triangles, spheres, "hamaker", hamaker(0), ["zplane 0"])
+                    mesh, own = (frames(spheres, models, hamaker(constant), walls=wall(models),
+                                        inputs={"plate.stl": stl(triangles)}) for constant in (A, 0))
                     slope = 2 * attraction(gap) / max(gap, CUT) + STIFFNESS
                     for number in plane[0]:
                         ours, spring = (part(f[0][number], "f") for f in (mesh, own))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same cohesive scene of 500 spheres in LAMMPS and in LIGGGHTS: the same path for as long as
+"""The same cohesive scene of 210 spheres in LAMMPS and in LIGGGHTS: the same path for as long as
 rounding allows, then the same statistics. Without friction, of which the two engines have different
 laws."""
 
@@ -13,7 +13,7 @@ from cohesion_tests import lammps
 from cohesion_tests.liggghts_scenes.scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames,
                                                   hamaker, liquid_bridge, sphere, square_well)
 
-COUNT, CELLS, PITCH = 500, 8, 1.4e-3
+COUNT, CELLS, PITCH = 210, 6, 1.4e-3
 SIZE = CELLS * PITCH
 SPEED = 0.1
 A, DEPTH = 1e-11, 4e-9  # a pair gains 8e-10 and 4e-9 J; it approaches with 5e-9 J
@@ -124,9 +124,9 @@ class TwoEngines(unittest.TestCase):
                 # Of four: Student's t at 1 %, both sides, is 5.8.
                 error = difference.std(axis=0, ddof=1) / 2
                 self.assertTrue((numpy.abs(difference.mean(axis=0)) <= 5.8 * error).all(), difference)
-                # Cohesion acts in this scene. A gas without it, n spheres in the volume, has
-                # 2 pi n d^2 times the range, 0.02, in range per sphere.
-                self.assertGreater(ends[..., 1].min(), 0.1)
+                # Cohesion acts in this scene. A gas without it, n spheres in the volume, has 2 pi n d^2 times the
+                # range, 0.022, in range per sphere, and in the mean of four 0.005 more or less by chance.
+                self.assertGreater(ends[..., 1].mean(), 0.07)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ def close(case, flux=FLUX, velocity=STILL, **others):
 
 class ClosedVessels(CoupledTestCase):
     def box(self, name, liquid, flux=FLUX, ranks=1, periodic=False):
-        """3500 spheres that fall and collide in the closed column, 40 steps; periodic: along x, a duct."""
+        """3500 spheres that fall and collide in the closed column, 20 steps; periodic: along x, a duct."""
         case = self.column(name)
         use_script(case, "swarm")
         ends = {}
@@ -53,7 +53,7 @@ class ClosedVessels(CoupledTestCase):
             append(case, "constant/transportProperties", "rho 1000; nu 1e-6;")
             edit(case, script_file("swarm"), "density 1000", "density 2000")
         append(case, "system/fvSolution", 'solvers { "p.*" { tolerance 1e-13; } }')
-        append(case, "system/controlDict", "endTime 4e-3; writeInterval 4e-3; writePrecision 17;")
+        append(case, "system/controlDict", "endTime 2e-3; writeInterval 2e-3; writePrecision 17;")
         case.mesh()
         log = case.solve(ranks=ranks)
         if ranks > 1:
@@ -70,13 +70,16 @@ class ClosedVessels(CoupledTestCase):
         for liquid, name in fluids:
             case, _ = self.box(name, liquid, periodic=periodic)
             reference, _ = self.box(f"{name}-zero-gradient", liquid, "{ type zeroGradient; }", periodic=periodic)
-            shared, _ = self.box(f"{name}-shared", liquid, ranks=2, periodic=periodic)
-            u = field(reference, "0.004", "U")
-            # Solvers leave 1e-13 of the pressure's residual in a step; swarms of 40 steps do not make chaos of that.
+            found = {"U": case}
+            # On two ranks a closed vessel and a duct: equations, and no fluids, are shared among them.
+            if liquid != periodic:
+                found["U on two ranks"], _ = self.box(f"{name}-shared", liquid, ranks=2, periodic=periodic)
+            u = field(reference, "0.002", "U")
+            # Solvers leave 1e-13 of the pressure's residual in a step; swarms of 20 steps do not make chaos of that.
             self.expect_true(f"{name}: it moves", np.abs(u).max() > 1e-3)
-            for what, found in ((f"{name}: U", case), (f"{name}, two ranks: U", shared)):
-                self.expect_below(f"{what} against zeroGradient, over the largest",
-                                  np.abs(field(found, "0.004", "U") - u).max() / np.abs(u).max(), 1e-8)
+            for what, case in found.items():
+                self.expect_below(f"{name}: {what} against zeroGradient, over the largest",
+                                  np.abs(field(case, "0.002", "U") - u).max() / np.abs(u).max(), 1e-8)
 
     def test_fluid_at_rest(self):
         """One sphere of 0.1 mm at rest in it does next to nothing: p is that of the fluid's weight, 1e-9 of it being that

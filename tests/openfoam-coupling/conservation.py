@@ -13,7 +13,7 @@ from cohesion_tests.coupling.fields import field
 from cohesion_tests.coupling.held_layers import CELL, G, RHO
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
-STEPS = 25
+STEPS = 10
 # Of couplingProperties
 SETTINGS = {
     "cell": {},
@@ -23,6 +23,8 @@ SETTINGS = {
     "formB": {"form": "B", "voidFraction": "sphereOverlap"},
     "smoothed": {"voidFraction": "sphereOverlap", "smoothingWidth": 0.01, "slip": "interpolated"},
 }
+# On 2 ranks too: both ways to spread a sphere over cells, smoothing and gathering between cells, and form B.
+SHARED = ("dividedVolume", "formB", "smoothed")
 
 
 def run(column, name, ranks, disturbance=0.0):
@@ -55,7 +57,7 @@ def pressure_force(case, form):
 
 class Conservation(CoupledTestCase):
     def check(self, name):
-        runs = {ranks: run(self.column, name, ranks) for ranks in (1, 2)}
+        runs = {ranks: run(self.column, name, ranks) for ranks in ((1, 2) if name in SHARED else (1,))}
         steps = {ranks: lines for ranks, (lines, _) in runs.items()}
         for ranks, (lines, pressure) in runs.items():
             self.expect_equal(f"{name}: gas steps on {ranks} ranks", len(lines), STEPS)
@@ -67,6 +69,8 @@ class Conservation(CoupledTestCase):
                              1e-12 * abs(pressure))
             self.expect_true(f"{name}, {ranks} ranks: drag and pressure act",
                              all(abs(x["drag"][2]) > 0 and abs(x["pressure"][2]) > 0 for x in lines))
+        if name not in SHARED:
+            return
         # What the solver of p leaves, 1e-13 of its scale, and sums in another order have to make less of a
         # difference than velocities that are off by 1e-8 at the start.
         disturbed, _ = run(self.column, name, 1, disturbance=1e-8)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""On skewed hexahedra, tetrahedra, polyhedra with warped faces and cubes with hanging corners, on 1, 2 and
-4 ranks: in every step of a swarm of falling, colliding spheres the gas gives what the particles get, the
-solid volume on the mesh is that of the particles, and no gas is lost; and the ranks see the same."""
+"""On skewed hexahedra, tetrahedra, polyhedra with warped faces and cubes with hanging corners, on 1 and 2
+ranks, one of them on 4: in every step of a swarm of falling, colliding spheres the gas gives what the particles get,
+the solid volume on the mesh is that of the particles, and no gas is lost; and the ranks see the same."""
 
 import re
 import shutil
@@ -13,8 +13,9 @@ from cohesion_tests.coupling.cases import COUPLING, disturb, exchange_lines
 from cohesion_tests.coupling.meshes import MESHES
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
-STEPS, DT = 5, 1e-4
+STEPS, DT = 3, 1e-4
 RANKS = {1: "(1 1 1)", 2: "(2 1 1)", 4: "(2 2 1)"}
+FOUR = "polyhedra"  # the mesh on 4 ranks: cells of all shapes have corners that four share
 
 
 def make_mesh(case, mesh):
@@ -50,7 +51,7 @@ def run(column, mesh, ranks, disturbance=0.0):
 
 class ConservationOnMeshes(CoupledTestCase):
     def check(self, mesh):
-        runs = {ranks: run(self.column, mesh, ranks) for ranks in RANKS}
+        runs = {ranks: run(self.column, mesh, ranks) for ranks in ((1, 4) if mesh == FOUR else (1, 2))}
         drags = {}
         for ranks, (lines, errors) in runs.items():
             self.expect_equal(f"{mesh}, {ranks} ranks: gas steps", (len(lines), len(errors)), (STEPS, STEPS))
@@ -61,7 +62,7 @@ class ConservationOnMeshes(CoupledTestCase):
             self.expect_true(f"{mesh}, {ranks} ranks: drag acts", bool(np.all(np.abs(drags[ranks][:, 2]) > 0)))
         disturbed, _ = run(self.column, mesh, 1, disturbance=1e-8)
         limit = np.abs(np.array([x["drag"] for x in disturbed]) - drags[1]).max()
-        for ranks in (2, 4):
+        for ranks in list(runs)[1:]:
             self.expect_below(f"{mesh}: drag, largest difference of {ranks} ranks from 1 [N]",
                               np.abs(drags[ranks] - drags[1]).max(), limit)
 

@@ -22,7 +22,7 @@ class PackedBed(CoupledTestCase):
         fraction `lowest` on; `column`: what makes the case; `moved`: by how much of it drag is off as spheres of its
         mass would begin to move within a step."""
         case, continuity, log = blow(column or self.column, name, settings)
-        early, late = "0.002", "0.004"
+        early, late = "0.001", "0.002"
         eps = np.array([1 - solid(row) for row in ROWS])
         # eps grad p = -drag - eps rho g - transport of momentum
         steps = np.array([drag(row, closure) for row in ROWS]) / eps * ROW

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Gas blown through spheres of two sizes that are held where they are, of a ratio of four and of two, by the laws for
 mixtures: the pressure drop, and the force on each size, are those of the law as it is printed, in both forms, with both
-engines, on 1, 2 and 4 ranks. Asked is 0.1 %; the limits here are what the solver leaves."""
+engines, on 1 and 2 ranks. Asked is 0.1 %; the limits here are what the solver leaves."""
 
 import unittest
 
@@ -18,7 +18,7 @@ from cohesion_tests.theory.size_mixture import forces
 FREE, FOUR, TWO = [], [(8**3, 2e-3), (2**3, 8e-3)], [(5**3, 2e-3), (4**3, 4e-3)]
 # Two free ones at both ends, for convection to have no part in the pressure drop.
 ROWS = [FREE, FREE, FOUR, FOUR, FOUR, TWO, TWO, TWO, FREE, FREE]
-END = "0.004"
+END = "0.002"
 
 
 def solid(row):
@@ -78,8 +78,10 @@ class PackedMixture(CoupledTestCase):
                                   1e-6)
 
     @unittest.skipIf(ENGINE != ENGINES[0], "closures know no engine")
-    def test_every_closure(self):
-        for closure in CLOSURES:
+    def test_closures(self):
+        # Each closure by its name: packed_bed.py; the laws with each: tests/src/drag. Here one that has the slip in an
+        # exponent, and one with a force instead of the drag.
+        for closure in ("diFelice", "tang"):
             self.check(closure, "vanDerHoef", closure)
 
     def test_both_laws_in_both_forms(self):
@@ -88,13 +90,11 @@ class PackedMixture(CoupledTestCase):
                 self.check(f"{law}_{form}", law, form=form)
 
     def test_ranks(self):
-        for ranks in (2, 4):
-            self.check(f"ranks_{ranks}", "vanDerHoef", ranks=ranks)
+        self.check("ranks", "vanDerHoef", ranks=2)
 
     def test_parcels(self):
         """Spheres that stand for grains feel the drag of these; so do those of a mixture."""
-        for parcel in (1.5, 3):
-            self.check(f"parcels_{parcel}", "vanDerHoef", coarseGraining=parcel)
+        self.check("parcels", "vanDerHoef", coarseGraining=1.5)
         self.check("parcels_ergun", "carmanKozeny", "ergunWenYu", coarseGraining=2)
 
     def test_free_response(self):

@@ -177,7 +177,7 @@ class VoidFractionKernels(CoupledTestCase):
         convection = RHO / 4 * (u[-2] * u[-1] + u[-1] ** 2 - u[0] * u[1] - u[0] ** 2)
         expected = (steps[:-1] + steps[1:]).sum() / 2 + RHO * G * 9 * ROW + convection
 
-        for k, found in enumerate(rows(case, "0.004", "voidFraction")):
+        for k, found in enumerate(rows(case, "0.002", "voidFraction")):
             # Written with 12 digits
             self.expect_near(f"{name}: void fraction of row {k}", found, eps[k], 1e-12)
         # As in packed_bed.py, of form A; form B has no 1/eps in the inertia and in the viscous stress, so
@@ -185,7 +185,7 @@ class VoidFractionKernels(CoupledTestCase):
         limit = held_layers.flux_limit(expected)
         solver = held_layers.drop_error(limit, steps, eps)
         self.expect_below(f"{name}: error of the flux [m/s]", continuity * HEIGHT / held_layers.DT, limit)
-        self.expect_near(f"{name}: pressure drop [Pa]", drop(case, "0.004"), expected,
+        self.expect_near(f"{name}: pressure drop [Pa]", drop(case, "0.002"), expected,
                          held_layers.viscous(eps) + solver)
         lines = exchange_lines(log)
         self.expect_equal(f"{name}: steps", len(lines), STEPS)

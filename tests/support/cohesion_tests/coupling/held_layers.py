@@ -11,7 +11,7 @@ from cohesion_tests.theory.closure_formulas import DOUBLE
 
 RHO, MU, G = 1.205, 1.75e-5, 9.81
 SUPERFICIAL = 0.5
-DT, STEPS = 1e-4, 40
+DT, STEPS = 1e-4, 20
 HEIGHT, ROW, CELL = 0.2, 0.02, 0.02**3  # of the mesh, a row and a cell (column/system)
 # Spheres per cell and diameter in the ten rows, from the lattices of column/packed.lmp.
 FREE, DENSE, LOOSE, DILUTE = (0, 1e-3), (4 * 5**3, 2.6e-3), (8**3, 2e-3), (4**3, 3e-3)

@@ -69,8 +69,3 @@ class RowThatJustFits(Gas):
         for row in range(1, rows + 1):
             places += [(0.6 + row % 2 / 2 + 1.04 * n, 0.5 + raised + 1.01 * row) for n in range(count - 1)]
         self.x[:, :2] = places
-
-
-def fluid():
-    """1372 spheres with a well of half their size: a liquid's many partners."""
-    return Gas(1372, 0.3, seed=4)
