@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time of a step of scheme exact over that of LAMMPS' gran/hooke/history, on the same spheres.
+"""Time of a step of scheme exact over that of LAMMPS' gran/hooke/history, or of gran/hertz/history for the laws hertz
+(with a Hamaker attraction) and jkr, on the same spheres.
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
-                   [--law hamaker | liquid_bridge | square_well] [--ratio RATIO]
+                   [--law hamaker | liquid_bridge | square_well | hertz | jkr] [--ratio RATIO]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
@@ -21,8 +22,9 @@ from cohesion_tests.instruction_count import per_step
 from cohesion_tests.thermo import processor_seconds, thermo_end
 
 SCENES = ("gas", "packing")
-STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "square_well": 5e-11}  # A [J], F_b [N], D [J]
-STYLES = {"hamaker": "exact", "liquid_bridge": "bridge", "square_well": "well"}  # in.cost_per_step
+STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "square_well": 5e-11, "hertz": 2e-18,
+             "jkr": 0.01}  # A [J], F_b [N], D [J], A [J], surface energy [J/m2]
+STYLES = {"hamaker": "exact", "liquid_bridge": "bridge", "square_well": "well", "hertz": "hertz", "jkr": "jkr"}  # in.cost_per_step
 
 
 def main():
@@ -33,7 +35,10 @@ def main():
                                     ("--ratio", {"type": float, "default": 1.01, "help": "of the well"}),
                                     ("--instructions", {"action": "store_true"}))
     ours, strength = STYLES[words.law], STRENGTHS[words.law]
-    cases = ((0.0, 0.0), (0.3, 0.0), (0.0, strength), (0.3, strength))  # friction, A, F_b or D
+    stock = "stock_hertz" if words.law in ("hertz", "jkr") else "stock"
+    cases = ((0.0, 0.0), (0.3, 0.0), (0.0, strength), (0.3, strength))  # friction, strength
+    if words.law == "jkr":
+        cases = cases[2:]
 
     def cost(folder, scene, style, mu, constant):
         """Per particle and step: nanoseconds of a processor, or instructions; contacts per particle."""
@@ -55,14 +60,14 @@ def main():
             for mu, constant in cases:
                 turns = []
                 for turn in range(1 if words.instructions else words.turns):
-                    order = ("stock", ours) if turn % 2 == 0 else (ours, "stock")
+                    order = (stock, ours) if turn % 2 == 0 else (ours, stock)
                     done = {style: cost(folder, scene, style, mu, constant)
                             for style in order}
-                    turns.append([*done["stock"], *done[ours]])
-                stock, of_stock, exact, of_exact = numpy.array(turns).T
-                low, middle, high = numpy.percentile(exact / stock, (25, 50, 75))
-                print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(stock):13.1f}"
-                      f"{of_stock.mean():10.2f}{numpy.median(exact):13.1f}{of_exact.mean():10.2f}"
+                    turns.append([*done[stock], *done[ours]])
+                theirs, of_theirs, exact, of_exact = numpy.array(turns).T
+                low, middle, high = numpy.percentile(exact / theirs, (25, 50, 75))
+                print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(theirs):13.1f}"
+                      f"{of_theirs.mean():10.2f}{numpy.median(exact):13.1f}{of_exact.mean():10.2f}"
                       f"   {middle:.2f} ({low:.2f} to {high:.2f})", flush=True)
 
 
