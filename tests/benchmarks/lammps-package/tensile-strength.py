@@ -116,7 +116,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("lmp", type=given_program)
     words.add_argument("plugin", type=given_program)
-    words.add_argument("--packings", type=int, default=6, help="at least two")
+    words.add_argument("--packings", type=int, default=24, help="at least two")
     words = words.parse_args()
     os.environ["COHESION_LMP"], os.environ["COHESION_PLUGIN"] = words.lmp, words.plugin
     head = f"variable A index 2e-20\nplugin load {words.plugin}\n"
