@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -70,6 +71,8 @@ struct Verdict {
   Subject subject;
   Severity severity;
   std::string sentence;  ///< the number, and what to change unless ok; in the user's units
+  /// Of an error, the step that the sentence names, [time]; infinity: none.
+  double largest_step = std::numeric_limits<double>::infinity();
 };
 
 namespace detail {
@@ -80,6 +83,16 @@ std::string text(const Part&... part) {
   out.precision(3);
   (out << ... << part);
   return out.str();
+}
+
+/// The largest number with the digits of text() that is not above `limit`: a step that a sentence
+/// names is small enough.
+inline double named_step(double limit) {
+  if (!(limit > 0.0) || !std::isfinite(limit)) return limit;
+  const double scale = std::pow(10.0, 2.0 - std::floor(std::log10(limit)));
+  // Rounding must not take the last digit from a limit that has no more of them.
+  const double named = std::floor(limit * scale * (1.0 + 1e-12)) / scale;
+  return named <= limit ? named : named - 1.0 / scale;
 }
 
 /// The steps of a contact, and which number of them the scheme asks for.
@@ -101,11 +114,11 @@ inline Verdict contact_steps(const ContactNumbers& n, SchemeLimits limits) {
   const std::string least = limits.steps_for_error > 0.0
                                 ? text(" and cannot do with fewer than ", limits.steps_for_error)
                                 : "";
+  const double named = named_step(n.parameters().dt * steps / limits.steps_for_warning);
   return {Subject::contact_steps, fatal ? Severity::error : Severity::warning,
           sentence + text(", the ", limits.scheme, " scheme should have ", limits.steps_for_warning,
-                          least, ": reduce the time step to ",
-                          n.parameters().dt * steps / limits.steps_for_warning,
-                          " or soften the spring")};
+                          least, ": reduce the time step to ", named, " or soften the spring"),
+          named};
 }
 
 inline Verdict stability(const ContactNumbers& n) {
@@ -113,8 +126,10 @@ inline Verdict stability(const ContactNumbers& n) {
   if (dt < limit)
     return {Subject::stability, Severity::ok,
             text("the time step is ", dt / limit, " of the largest stable one, ", limit)};
-  return {Subject::stability, Severity::error,
-          text("the time step ", dt, " makes contacts unstable: reduce it below ", limit)};
+  return {
+      Subject::stability, Severity::error,
+      text("the time step ", dt, " makes contacts unstable: reduce it below ", named_step(limit)),
+      limit};
 }
 
 /// Where a particle has several contacts, or will have.
@@ -132,7 +147,8 @@ inline Verdict steadiness(const ContactNumbers& n, bool several, bool plane) {
           text("the time step ", dt, " makes particles with several contacts ",
                several ? "unstable, so that they gain energy without bound"
                        : "unstable: the run stops where a particle has two neighbours",
-               ": reduce it to ", limit, ", or use less damping or softer springs")};
+               ": reduce it to ", named_step(limit), ", or use less damping or softer springs"),
+          limit};
 }
 
 /// The verdict on a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut
@@ -143,7 +159,7 @@ inline Verdict cutoff_steps(double speed, double cutoff, double steps, const Sch
   if (steps >= cutoff_steps_for_warning) return {Subject::cutoff_steps, Severity::ok, sentence};
   return {Subject::cutoff_steps, Severity::warning,
           sentence + text(", so that which pairs stick is left to chance: reduce the time step to ",
-                          cutoff / speed, " or ", limits.remedy)};
+                          named_step(cutoff / speed), " or ", limits.remedy)};
 }
 
 /// What 15 steps of a lightly damped contact leave open is allowed to the others, too.
@@ -158,7 +174,8 @@ inline Verdict escape_velocity(const ContactNumbers& n, const SchemeLimits& limi
   if (open <= allowed || !reached) return {Subject::escape_velocity, Severity::ok, sentence};
   return {Subject::escape_velocity, Severity::warning,
           sentence + text(", so that which pairs stick is left to chance: for ", 100.0 * allowed,
-                          " % reduce the time step to ", n.parameters().dt * allowed / open)};
+                          " % reduce the time step to ",
+                          named_step(n.parameters().dt * allowed / open))};
 }
 
 inline Verdict rounding(const ContactNumbers& n, const SchemeLimits& limits) {

@@ -185,8 +185,8 @@ inline void add_softness(Report& report, const std::string& style,
 }  // namespace detail
 
 /// The table of numbers that decide whether the run can be right, a warning for each that says that
-/// it will not be, and the first that says that it must blow up. Contacts of which neither partner
-/// moves are left out. `style`: who speaks.
+/// it will not be, and the first that says that it must blow up, of those about the step the one
+/// with the smallest. Contacts of which neither partner moves are left out. `style`: who speaks.
 inline Report report(const std::string& style, const SchemeLimits& limits,
                      const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
   Report report;
@@ -194,6 +194,7 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
                  ": what to expect (lightest particles; / d: over the diameter)\n"
                  "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
                  "      Bond     v_esc   tail/spring\n";
+  double largest_step = 0.0;
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
@@ -208,7 +209,12 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
           style + ", " + c.name + ": " + (of_overlap ? c.doubt : "") + verdict.sentence;
       if (verdict.severity == Severity::warning)
         report.warnings.push_back({{c.name}, verdict.subject, message});
-      if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
+      if (verdict.severity == Severity::error &&
+          (report.stop.empty() ||
+           (std::isfinite(largest_step) && verdict.largest_step < largest_step))) {
+        report.stop = message;
+        largest_step = verdict.largest_step;
+      }
     }
   }
   detail::add_softness(report, style, contacts, run);

@@ -245,8 +245,9 @@ run {steps}
             with self.subTest(friction=friction):
                 output = self.stops(self.cluster(self.CONTACT_TIME / 3, friction), "several contacts unstable", "reduce it to")
                 limit = float(re.search(r"reduce it to (\S+),", output)[1])
-                # Printed to three digits.
+                # Named to three digits, rounded down.
                 self.stops(self.cluster(1.01 * limit, friction), "several contacts unstable")
+                self.goes(self.cluster(limit, friction))
                 output = self.goes(self.cluster(0.99 * limit, friction))
                 last = [line.split() for line in output.splitlines() if re.match(r" +\d+ +\S+ +\S+ *$", line)][-1]
                 # A contact loses three quarters of its energy in a contact time, and some 200 of them had

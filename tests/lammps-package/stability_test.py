@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A small stability campaign (stability-campaign.py): nothing crashes, nothing is wrong without a warning; and the
 judge sees what is wrong."""
+import math
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from unittest import mock
@@ -179,6 +180,30 @@ class Judge(unittest.TestCase):
                     self.assertAlmostEqual(aim(False).right, parted[number], delta=1e-7)
                     self.assertAlmostEqual(aim(True).right, held[number], delta=1e-6)
                     self.assertAlmostEqual(aim(True).room, room[number], delta=1e-6)
+
+    def test_turning_load_is_the_error_of_oblique_impacts(self):
+        """Of damped ones: their error is of the size of this bound, and far above 1e-6 and the square of the angle."""
+        point = make(law("gran/square_well, exact"), dict(angle=60.0, e=0.5, steps=8.0, depth=0.0, width=0.0, speed=5.0,
+                                                          K=1e6))
+        result = judge.judge(point, engine)
+        self.assertEqual(result.verdicts["first"], "right", result)
+        bound = judge.turning_load(point, 5.0 * math.sin(math.radians(60.0)))
+        self.assertGreater(result.errors["first"], 0.3 * bound)
+        self.assertGreater(bound, 1e-4)
+
+    def test_late_dashpot(self):
+        """zeta of e = 0.5 is 0.215; 2 0.3 0.215 pi/10."""
+        point = make(law("fix wall/gran/hamaker, exact"), dict(mu=0.3, e=0.5, steps=10.0))
+        self.assertAlmostEqual(judge.late_dashpot(point), 0.0406, delta=1e-4)
+
+    def test_an_outcome_of_less_energy_than_the_aim_changes_is_marginal(self):
+        places = self.end[0].copy()
+        places[1] = [self.point.reach, 0, 0] + places[0]
+        stuck = places, self.end[1]
+        aim = 0.5 * (self.point.rate_of(*self.end, (0, 1)) / self.point.scale)**2
+        for ends in ((stuck, self.end), (self.end, stuck)):
+            self.assertTrue(judge.barely_parted(self.point, "first", *ends, 1.01 * aim))
+            self.assertFalse(judge.barely_parted(self.point, "first", *ends, 0.99 * aim))
 
     def test_outcome(self):
         places = self.end[0].copy()

@@ -198,7 +198,7 @@ class Judgement(unittest.TestCase):
 
     def test_warnings_say_what_would_be_right(self):
         run = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))
-        self.assertIn("which pairs stick is left to chance: reduce the time step to 4e-09 or use the exact scheme",
+        self.assertIn("which pairs stick is left to chance: reduce the time step to 3.99e-09 or use the exact scheme",
                       run.output)
         self.assertIn("1 - 1: pairs would stick less with a stiffer spring", run.output)
         self.assertIn("'material_stiffness on' with fix property/global materialStiffness keeps its escape velocity "

@@ -74,6 +74,29 @@ TEST(ContactReport, StepsBeyondTheSteadyOneStopWhereAParticleHasSeveralContacts)
   EXPECT_EQ(report("a style", sampled_scheme, {damped}, numbers).stop, "");
 }
 
+TEST(ContactReport, RunsAtTheStepThatAnErrorNames) {
+  std::vector<AdvisedContact> all(3, pair());
+  const double restitutions[] = {0.5, 0.3, 0.4};
+  for (int k = 0; k < 3; k++) {
+    all[k].adhesion = {};
+    all[k].springs.damping = contact::LinearSpringDashpot::from_restitution(800.0, restitutions[k],
+                                                                            all[k].reduced_mass())
+                                 .damping();
+  }
+  RunNumbers numbers{0.1, 0.0, 9.25e-5 / 4.2, 0.0, Crowd::several};
+  for (const double first : {9.25e-5 / 4.2, 9.25e-5 / 0.9}) {
+    numbers.dt = first;
+    for (const SchemeLimits& limits : {exact_scheme, sampled_scheme}) {
+      const std::string stop = report("a style", limits, all, numbers).stop;
+      if (stop.empty()) continue;
+      const std::string remedy = stop.substr(stop.find("reduce"));
+      RunNumbers shorter = numbers;
+      shorter.dt = std::stod(remedy.substr(remedy.find_first_of("123456789")));
+      EXPECT_EQ(report("a style", limits, all, shorter).stop, "") << stop;
+    }
+  }
+}
+
 TEST(ContactReport, ADoubtStandsBeforeTheStiffnessThatWouldBearTheAdhesion) {
   AdvisedContact strong = pair();
   strong.adhesion.force *= 1e4;

@@ -141,7 +141,8 @@ class SquareWell(Well, Soft):
 
 
 class Hard(Well):
-    """Hard cores with square wells; `steps`: of the whole run."""
+    """Hard cores with square wells, without the rule that makes slow collisions in wells elastic; `steps`: of the
+    whole run."""
 
     style, corners, hard, scheme = "hard/square_well", points.HARD_CORNERS, True, "hard"
     base = {**points.WELL, "width": 0.1, "steps": 30.0}
@@ -154,7 +155,8 @@ class Hard(Well):
     def lines(self, point, _):
         p = point.values
         contact = f"restitution {p['e']:.17g} friction {p['mu']:.17g}"
-        pair = [f"pair_style {self.style}", f"pair_coeff * * {contact}{'' if self.wall else self.words(point)}"]
+        pair = [f"pair_style {self.style} rest off",
+                f"pair_coeff * * {contact}{'' if self.wall else self.words(point)}"]
         if not self.wall:
             return pair
         well = self.words(point) or " well off"

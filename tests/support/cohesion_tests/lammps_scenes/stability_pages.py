@@ -24,7 +24,8 @@ between. It compares each result with a reference, and counts the incorrect resu
 this page to see how far the time-step check can be relied on.
 
 `{PROGRAM}` writes this page from runs with stock LAMMPS. The
-points are the same in every run. The campaign covers neither liquid bridges nor *sampled* walls of gran/hamaker.
+points are the same in every run. The campaign covers neither liquid bridges nor *sampled* walls of gran/hamaker. Hard
+spheres run with *rest off*, so that the reference is the law of restitution alone.
 """.splitlines()
 TERMS = """
 ## Points and cases
@@ -53,19 +54,24 @@ point. For particles in contact it is that of the positions over s/w, where w is
 | incorrect | the error is above the tolerance, or other particles are in contact (other outcome) |
 | warned | the run warned of the step, the cut-off, the well, rounding or a collapse; overlap warnings do not count |
 | warned for other contacts | these warnings concern only contacts that do not occur, as between two small spheres |
-| marginal | incorrect, but a change of the initial speeds by the tolerance changes the reference as much |
+| marginal | incorrect, but the tolerance in the initial speeds, in *exact* in the energy at parting, does as much |
 | not judged | rounding decides, references disagree, hard spheres collapse, or the time levels are too coarse |
 | stops | the style stops with an error |
+
+Where a particle may have several contacts, a step beyond the [stability limit](../theory/contact_steps.md) stops the
+run, as in more than half of the points of the *exact* pairs.
 
 | contacts | tolerance |
 |---|---|
 | *sampled* | 0.1 |
-| *exact*, one contact without friction | 1e-6; for spheres plus the rotation error of the line of centres |
-| *exact*, friction or several contacts | (w dt)^2, at most 0.1 |
+| *exact*, one contact without friction | 1e-6; for spheres plus the errors of rotation |
+| *exact*, one contact with friction, or several contacts | (w dt)^2, at most 0.1 |
+| *exact*, several contacts with friction | (w dt)^2 + 2 min(friction, 1) zeta w dt, at most 0.1 |
 | hard | 1e-9, or 100 times the effect of rounding the initial state |
 
 For particles in contact the tolerance of *exact* includes the offset of positions at a time level from the motion.
-[Exact contacts](../theory/exact_contacts.md) derives the rotation error.
+[Exact contacts](../theory/exact_contacts.md) derives the errors of rotation and of several contacts; zeta is the
+damping ratio.
 """.splitlines()
 STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""

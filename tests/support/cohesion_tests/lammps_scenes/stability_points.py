@@ -157,5 +157,13 @@ class Point:
         kinds = [0, 1, 0, 0, 1]
         return (math.dist(places[one], places[other]) - self.radius[kinds[one]] - self.radius[kinds[other]])
 
+    def rate_of(self, places, velocities, contact):
+        """Of the gap."""
+        one, other = contact
+        if self.law.wall:
+            return velocities[one][other]
+        apart = places[one] - places[other]
+        return (velocities[one] - velocities[other]) @ apart / math.sqrt(apart @ apart)
+
     def text(self):
         return text(self.law, self.values)
