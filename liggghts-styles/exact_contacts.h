@@ -170,22 +170,22 @@ inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   if (!k) return false;
   ContactState state = ContactState::stored(history);
   const double time_apart = k->law->step() - state.contact_time;
-  double repulsion;
+  cohesion::contact_solver::PersistentStep step;
   const StaggeredMotion at = motion(contact, contact.r, contact.en);
   const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
       at.distance, contact.rinv, at.rate, speed_squared, k->law->step());
   if (energies) {
     const ContactState before = state;
-    if (!k->law->advance_persistent(distance, state, repulsion)) return false;
+    if (!k->law->advance_persistent(distance, state, step)) return false;
     set_energies(*k, contact.radsum, {at, 0.0, false, before, state, state.force, 0.0}, *energies);
-  } else if (!k->law->advance_persistent(distance, state, repulsion)) {
+  } else if (!k->law->advance_persistent(distance, state, step)) {
     return false;
   }
   force = state.force;
-  set_friction(contact, *k, repulsion, time_apart, spring);
+  set_friction(contact, *k, step.repulsion, time_apart, spring);
   state.store_persistent(history);
-  history[REPULSION] = repulsion;
+  history[REPULSION] = step.repulsion;
   history[STEP] = now + 1.0;
   if (contact.contact_flags) *contact.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
   return true;

@@ -62,14 +62,13 @@ class ContactSolver : public PairCourse {
   /// A step of a contact that was persistent in the last one and certainly is in this one. False,
   /// and nothing done, where that is not certain. The other forces are known from the motion.
   [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
-                                                 double& repulsion) const {
-    return is_linear() ? advance_persistent_as<LinearContact>(now, state, repulsion)
-                       : advance_integrated(now, state, repulsion);
+                                                 PersistentStep& step) const {
+    return is_linear() ? advance_linear(now, state, step) : advance_integrated(now, state, step);
   }
   /// The same of a contact that is known to be linear.
   [[gnu::always_inline]] bool advance_linear(const DistanceMotion& now, ContactState& state,
-                                             double& repulsion) const {
-    return advance_persistent_as<LinearContact>(now, state, repulsion);
+                                             PersistentStep& step) const {
+    return advance_persistent_as<LinearContact>(now, state, step);
   }
 
   /// Any step. `external` as above, constant in the step; `velocity_step` [time]: how long the
@@ -216,8 +215,10 @@ class ContactSolver : public PairCourse {
       const DistanceMotion distance =
           DistanceMotion::of_pair(now.distance, 1.0 / now.distance, now.rate,
                                   now.rate * now.rate + now.sideways * now.sideways, step());
-      if (!advance_persistent(distance, state, result.repulsion)) return false;
-      result.force = state.force;
+      PersistentStep next;
+      if (!advance_persistent(distance, state, next)) return false;
+      result.force = next.force;
+      result.repulsion = next.repulsion;
     } else {
       const double load = outward({now.distance, now.rate, now.sideways}, external);
       const ContactPoint here = point(now);
@@ -245,10 +246,9 @@ class ContactSolver : public PairCourse {
   /// advance_persistent(), by what moves the contact.
   template <class Contact>
   [[gnu::always_inline]] bool advance_persistent_as(const DistanceMotion& now, ContactState& state,
-                                                    double& repulsion) const {
+                                                    PersistentStep& result) const {
     const Contact& by_law = *std::get_if<Contact>(&contact());
     const double load = load_of(now.rate, state);
-    PersistentStep result;
     ContactPoint point{contact_distance() - now.distance, now.rate};
     if constexpr (std::is_same_v<Contact, LinearContact>) {
       if (!by_law.advance_persistent(point, load, state, result)) return false;
@@ -257,14 +257,13 @@ class ContactSolver : public PairCourse {
       return false;
     }
     go_on(now.rate, load - now.centrifugal, result, state);
-    repulsion = result.repulsion;
     return true;
   }
   [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, ContactState& state,
-                                            double& repulsion) const {
+                                            PersistentStep& result) const {
     return std::visit(
         [&](const auto& c) {
-          return advance_persistent_as<std::decay_t<decltype(c)>>(now, state, repulsion);
+          return advance_persistent_as<std::decay_t<decltype(c)>>(now, state, result);
         },
         contact());
   }

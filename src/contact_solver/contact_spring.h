@@ -44,11 +44,18 @@ class ContactSpring {
     if (!stiffens_) return constant_;
     return DiscreteSpring::at_time_level(parameters(point(overlap)), step_, inverse_mass_);
   }
+  /// Of one that stiffens, at this point of the law.
+  DiscreteSpring at(const contact::LawPoint& here) const {
+    return DiscreteSpring::at_time_level(parameters(here), step_, inverse_mass_);
+  }
+  /// What is left of a stretch from one radius_stiffness to another.
+  static double left_of_stretch_between(double before, double now) {
+    return now > before ? before / now : 1.0;
+  }
   /// What is left of a stretch from one overlap [length] to another.
   double left_of_stretch(double before, double now) const {
     if (!stiffens_ || !(now > before)) return 1.0;
-    const double stiffer = point(now).radius_stiffness;
-    return stiffer > 0.0 ? point(before).radius_stiffness / stiffer : 1.0;
+    return left_of_stretch_between(point(before).radius_stiffness, point(now).radius_stiffness);
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact/law_point.h"
 #include "contact_solver/motion_along_normal.h"
 
 namespace cohesion::contact_solver {
@@ -84,6 +85,10 @@ struct PersistentStep {
   double account;    ///< by what its energy account changes but for exchanged(), [energy]
   /// Of the distance, where the law's account needs it, [length/time].
   double true_rate = 0.0;
+  /// Of a law without a closed form: at this overlap, and its radius_stiffness at the one before,
+  /// where that is known; else below 0.
+  contact::LawPoint at{};
+  double radius_stiffness_before = -1.0;
 };
 
 /// What a contact does from one time level to the next.

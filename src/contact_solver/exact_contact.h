@@ -95,29 +95,29 @@ class ExactContact {
     const Vector3& v = now.relative.velocity;
     const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
     ContactState normal = ContactState::stored(values);
-    double repulsion;
     const double rate = inverse * dot(s, v);
     const double speed_squared = bodies_.is_wall() ? rate * rate : dot(v, v);
     DistanceMotion motion =
         DistanceMotion::of_pair(square * inverse, inverse, rate, speed_squared, step_);
-    if (!(linear ? solver_.advance_linear(motion, normal, repulsion)
-                 : solver_.advance_persistent(motion, normal, repulsion)))
+    PersistentStep does;
+    if (!(linear ? solver_.advance_linear(motion, normal, does)
+                 : solver_.advance_persistent(motion, normal, does)))
       return false;
     normal.store_persistent(values);
-    step.repulsion = step_ * repulsion;
+    step.repulsion = step_ * does.repulsion;
     step.action.impulse = (step_ * normal.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       ContactBodies::Touch touch(bodies_, s, inverse);
       Vector3 across = v - (inverse * rate) * s;
       const double overlap = bodies_.distance() - square * inverse;
       step.friction = persistent_impulse<linear>(
-          sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), repulsion,
+          sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), does,
           overlap, values + ContactHistory::normal_only, normal);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             persistent_impulse<linear>(rolling_, touch,
-                                       touch.rolling_velocity(now.spin_i, now.spin_j), repulsion,
+                                       touch.rolling_velocity(now.spin_i, now.spin_j), does,
                                        overlap, values + ContactHistory::with_friction, normal),
             step.action);
     }
@@ -272,20 +272,23 @@ class ExactContact {
   template <bool linear>
   [[gnu::always_inline]] Vector3 persistent_impulse(const ContactSpring& spring,
                                                     const ContactBodies::Touch& touch,
-                                                    const Vector3& rate, double repulsion,
+                                                    const Vector3& rate, const PersistentStep& does,
                                                     double overlap, double* values,
                                                     const ContactState& normal) const {
     DiscreteSpring::State state{vector(values), vector(values + 3)};
     bool slips;
     Vector3 impulse;
-    if constexpr (linear) {
-      impulse =
-          spring.constant().advance_persistent(touch.plane(), rate, repulsion, true, state, slips);
+    if (linear || !spring.stiffens()) {
+      impulse = spring.constant().advance_persistent(touch.plane(), rate, does.repulsion, true,
+                                                     state, slips);
     } else {
-      state.stretch =
-          spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap) * state.stretch;
-      impulse =
-          spring.at(overlap).advance_persistent(touch.plane(), rate, repulsion, true, state, slips);
+      const double before = does.radius_stiffness_before;
+      const double left =
+          before >= 0.0 ? ContactSpring::left_of_stretch_between(before, does.at.radius_stiffness)
+                        : spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap);
+      state.stretch = left * state.stretch;
+      impulse = spring.at(does.at).advance_persistent(touch.plane(), rate, does.repulsion, true,
+                                                      state, slips);
     }
     ContactHistory::store(state, values);
     return impulse;

@@ -103,6 +103,8 @@ class IntegratedContact {
     step.account = here.work + here.dissipated +
                    0.5 * step_ * step.force * (now.rate + 0.5 * step_ * centrifugal);
     step.true_rate = -here.rate;
+    step.at = here.at;
+    step.radius_stiffness_before = here.radius_stiffness_before;
     return true;
   }
   bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
@@ -170,6 +172,7 @@ class IntegratedContact {
     double work;         ///< of the last force on its way here, [energy]
     double energy_left;  ///< twice the energy of the approach per mass, if nothing was dissipated
     double dissipated;   ///< since the last time level, [energy]
+    double radius_stiffness_before;  ///< below 0: not known
   };
   /// How a pair parts; speed 0: it does not.
   struct Parting {
@@ -183,7 +186,7 @@ class IntegratedContact {
   }
   Arrival arrive(const ContactPoint& now, double load, double centrifugal,
                  const ContactState& state, double adhesion_energy) const {
-    Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0};
+    Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0, -1.0};
     const double half = 0.5 * step_;
     const double chord = -now.rate;
     here.grid_rate = (chord + half * ((adhesion_ - here.at.force) * inverse_mass_ - load)) /
@@ -205,6 +208,7 @@ class IntegratedContact {
     const double x = now.overlap, x0 = std::max(x + step_ * now.rate, lowest_);
     const double v0 = -state.velocity_offset;
     const contact::LawPoint before = law_.at(x0);
+    here.radius_stiffness_before = before.radius_stiffness;
     const double guess =
         std::max(-now.rate * (here.at.damping_integral - before.damping_integral), 0.0);
     const double square = here.energy_left - 2.0 * inverse_mass_ * guess;
