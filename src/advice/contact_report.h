@@ -121,7 +121,8 @@ inline std::string name(const AdvisedContact& c) {
 
 inline std::string row(const AdvisedContact& c, const ContactNumbers& n, const SchemeLimits& limits,
                        double escape) {
-  const bool attracts = n.parameters().adhesion.force > 0.0;
+  // JKR's spring and adhesion are one.
+  const bool attracts = n.parameters().adhesion.force > 0.0 && !c.springs.jkr;
   const std::string ratio =
       attracts ? number("%.3g", n.well_energy() / n.spring_adhesion_energy()) : "none";
   return name(c) + number("%9.3g", n.parameters().speed) +
@@ -168,7 +169,7 @@ inline void add_softness(Report& report, const std::string& style,
                          const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
   std::vector<SharedNote> scaled, soft;
   for (const AdvisedContact& c : contacts) {
-    if (!c.moves() || c.adhesion.force == 0.0) continue;
+    if (!c.moves() || c.adhesion.force == 0.0 || c.springs.jkr) continue;
     const ContactNumbers n = numbers(c, run);
     if (!c.material.is_given() && softness_decides(n))
       add(soft, softness_advice(c.material_words), c.name);
