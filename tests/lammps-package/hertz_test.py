@@ -7,9 +7,10 @@ import unittest
 
 import numpy
 
-from cohesion_tests import lammps
 from cohesion_tests.lammps_scenes import couples, pull_off
+from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
 from cohesion_tests.lammps_scenes.square_well_scene import gaps
+from cohesion_tests.test_cases import ScriptTestCase
 from cohesion_tests.theory.hertz_contact import OUT, HertzPair
 from cohesion_tests.theory.slow_ramp import HertzGrain
 
@@ -74,7 +75,9 @@ class Hertz(unittest.TestCase):
                 report(f"{partner}, t_c/{division}: {found:.4f} F_ad")
                 self.assertAlmostEqual(found, 1.0, delta=0.01)
 
-    def test_other_schemes_and_words(self):
+
+class Words(ScriptTestCase):
+    def test_what_stops_a_run(self):
         for words, settings, message in (
                 ("normal hertz 5e6 0.25", "scheme sampled", "scheme sampled has linear springs only"),
                 ("normal hertz 5e6 0.25 stiffness 100", "", "stiffness K = 100: is of a linear spring"),
@@ -83,24 +86,8 @@ class Hertz(unittest.TestCase):
                 ("normal hooke 5e6 0.2", "", "normal"),
                 ("normal hertz 5e6 0.2 damping 1e-3", "", "damping eta"),
                 ("normal hertz 5e6 0.2 material_stiffness 1e5 hamaker 1e-19 cutoff 4e-10 1e-7", "", "material_stiffness")):
-            with self.subTest(words=words), lammps.temporary_folder() as folder:
-                code, output = lammps.run_text(f"""plugin load {lammps.plugin()}
-units si
-atom_style sphere
-newton off
-comm_modify vel yes
-region box block 0 1e-2 0 1e-2 0 1e-2
-create_box 1 box
-create_atoms 1 single 5e-3 5e-3 5e-3
-set group all diameter 1e-3
-pair_style gran/hamaker {settings}
-pair_coeff * * {words}
-fix move all nve/sphere
-timestep 1e-6
-run 0
-""", folder)
-                self.assertNotEqual(code, 0)
-                self.assertIn(message, output)
+            with self.subTest(words=words):
+                self.stops(f"{HEAD}pair_style gran/hamaker {settings}\npair_coeff * * {words}{MOVE}", message)
 
 
 if __name__ == "__main__":

@@ -6,9 +6,10 @@ import unittest
 
 import numpy
 
-from cohesion_tests import lammps
 from cohesion_tests.lammps_scenes import couples, pull_off
+from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
 from cohesion_tests.lammps_scenes.square_well_scene import gaps
+from cohesion_tests.test_cases import ScriptTestCase
 from cohesion_tests.theory.jkr_contact import JkrPair
 from cohesion_tests.theory.slow_ramp import JkrGrain
 
@@ -54,30 +55,16 @@ class Jkr(unittest.TestCase):
                 report(f"{partner}, t_c/{division}: {found:.4f} of the pull-off force")
                 self.assertAlmostEqual(found, 1.0, delta=5e-3)
 
-    def test_words(self):
+
+class Words(ScriptTestCase):
+    def test_what_stops_a_run(self):
         for words, settings, message in (
                 ("normal hertz 5e6 0.25", "", "needs 'normal hertz E nu' and 'surface_energy gamma'"),
                 ("stiffness 800 surface_energy 0.05", "", "needs 'normal hertz E nu' and 'surface_energy gamma'"),
                 ("normal hertz 5e6 0.25 surface_energy -1", "", "surface energy gamma"),
                 ("normal hertz 5e6 0.25 surface_energy 0.05", "scheme sampled", "scheme sampled has linear springs only")):
-            with self.subTest(words=words), lammps.temporary_folder() as folder:
-                code, output = lammps.run_text(f"""plugin load {lammps.plugin()}
-units si
-atom_style sphere
-newton off
-comm_modify vel yes
-region box block 0 1e-2 0 1e-2 0 1e-2
-create_box 1 box
-create_atoms 1 single 5e-3 5e-3 5e-3
-set group all diameter 1e-3
-pair_style gran/jkr {settings}
-pair_coeff * * {words}
-fix move all nve/sphere
-timestep 1e-6
-run 0
-""", folder)
-                self.assertNotEqual(code, 0)
-                self.assertIn(message, output)
+            with self.subTest(words=words):
+                self.stops(f"{HEAD}pair_style gran/jkr {settings}\npair_coeff * * {words}{MOVE}", message)
 
 
 if __name__ == "__main__":
