@@ -87,6 +87,10 @@ class ContactSolver : public PairCourse {
   double offset(const StaggeredMotion& now, double external, const ContactState& state) const {
     return true_rate(now, external, state) - now.rate - 0.5 * step() * external;
   }
+  /// The overlap at which contact ends, [length].
+  double lowest_overlap() const {
+    return std::visit([](const auto& c) { return c.lowest_overlap(); }, contact());
+  }
   /// What friction has besides the force of spring and dashpot, [force].
   double friction_load() const {
     return std::visit([](const auto& c) { return c.friction_load(); }, contact());

@@ -96,16 +96,18 @@ class DiscreteSpring {
   }
 
   /// A resolved step, from `stretch` at the time level, or of a contact that begins. `rate`: of the
-  /// ends without the spring itself; `mean`: with it, as the particles move; overlap_at_end
-  /// [length]: at the next time level, negative in a gap.
-  [[gnu::always_inline]] contact::TangentialStep resolve(
-      const contact::Plane& plane, const Vector3& stretch, const Vector3& rate,
-      const NormalRecord& normal, double overlap_at_end, Vector3& mean) const {
+  /// ends without the spring itself; `mean`: with it, as the particles move; touches_at_end: at the
+  /// next time level.
+  [[gnu::always_inline]] contact::TangentialStep resolve(const contact::Plane& plane,
+                                                         const Vector3& stretch,
+                                                         const Vector3& rate,
+                                                         const NormalRecord& normal,
+                                                         bool touches_at_end, Vector3& mean) const {
     contact::TangentialStep step =
         law_.advance(plane.turned_into(stretch), rate, normal.contact_time, inverse_mass_,
                      normal.repulsion_impulse, normal.repulsion_at_end);
     mean = rate + (0.5 * inverse_mass_) * step.impulse;
-    if (overlap_at_end <= 0.0) {  // parted: what the spring still stored is lost
+    if (!touches_at_end) {  // parted: what the spring still stored is lost
       step.friction += law_.stored_energy(step.displacement);
       step.displacement = {};
     }

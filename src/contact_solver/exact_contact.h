@@ -44,6 +44,7 @@ class ExactContact {
                  bodies_.inverse_sliding_mass()),
         rolling_(ContactSpring::Kind::rolling, parameters, normal_law_, step,
                  bodies_.inverse_rolling_mass()),
+        lowest_overlap_(solver_.lowest_overlap()),
         friction_load_(solver_.friction_load()) {
     if (sliding_.is_present() || rolling_.is_present()) solver_.leave_out_exchange();
   }
@@ -152,7 +153,8 @@ class ExactContact {
                    bodies_.distance() - at.distance,
                    bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
                    solver_.repulsion(at),
-                   overlap_at_end(now, step.action.impulse)};
+                   overlap_at_end(now, step.action.impulse),
+                   lowest_overlap_};
     if (energies) {
       const SolvedStep solved{at,           external,         first, before, history.normal,
                               normal.force, normal.dissipated};
@@ -242,6 +244,7 @@ class ExactContact {
     double overlap_before;    ///< at the time level before
     double repulsion_before;  ///< of a contact that was persistent so far, [force]
     double overlap_at_end;
+    double lowest;  ///< at which contact ends
 
     bool persisted() const { return before.phase == ContactState::persistent; }
     /// The overlap that a spring has in the step that begins here, and had in the last one.
@@ -252,8 +255,13 @@ class ExactContact {
       return persisted() ? overlap_before : mean(overlap_before, overlap);
     }
 
+    bool touches() const { return overlap > lowest; }
+    bool touches_at_end() const { return overlap_at_end > lowest; }
+
    private:
-    static double mean(double a, double b) { return 0.5 * (std::max(a, 0.0) + std::max(b, 0.0)); }
+    double mean(double a, double b) const {
+      return 0.5 * (std::max(a, lowest) + std::max(b, lowest));
+    }
   };
   /// The energies of a spring: what is lost, and in the dashpot alone, before and after the time
   /// level.
@@ -326,7 +334,7 @@ class ExactContact {
         spring.advance_persistent(touch.plane(), rate, n.repulsion_before, true, state, slips);
         spring.end_persistent(sticking, true_force + friction_load_, state);
         stretch = state.stretch;
-      } else if (n.overlap > 0.0) {
+      } else if (n.touches()) {
         stretch = touch.plane().turned_into(state.stretch);
         if (n.before.in_range()) stretch += step_ * rate;
       }
@@ -360,13 +368,13 @@ class ExactContact {
     Vector3 mean;
     const contact::TangentialStep now =
         spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
-                       n.overlap_at_end, mean);
+                       n.touches_at_end(), mean);
     const Vector3 impulse = 0.5 * (now.impulse + state.impulse);
     if (energies) {
       energies->damped_after = now.damped;
       energies->lost_after = now.damped + now.friction;
     }
-    const bool goes_on = n.overlap_at_end > 0.0;
+    const bool goes_on = n.touches_at_end();
     state = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
     return impulse;
   }
@@ -377,6 +385,7 @@ class ExactContact {
   Solver solver_;
   ContactSpring sliding_;
   ContactSpring rolling_;
+  double lowest_overlap_;
   double friction_load_;
 };
 

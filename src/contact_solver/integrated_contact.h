@@ -53,6 +53,7 @@ class IntegratedContact {
   double spring_energy(double x) const { return x > lowest_ ? law_.at(x).energy : 0.0; }
 
   /// As LinearContact has them.
+  double lowest_overlap() const { return lowest_; }
   double friction_load() const { return friction_load_; }
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
     if (!(s.x > lowest_)) return false;

@@ -57,6 +57,8 @@ class LinearContact {
     return x > 0.0 ? 0.5 * reduced_mass_ * oscillator_.w0_squared() * x * x : 0.0;
   }
 
+  /// The overlap at which contact ends, [length].
+  static constexpr double lowest_overlap() { return 0.0; }
   /// What friction has besides spring and dashpot, [force].
   double friction_load() const { return adhesion_; }
 

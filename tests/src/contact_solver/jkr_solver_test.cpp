@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "constants.h"
+#include "contact_solver/spheres.h"
 #include "sphere.h"
 
 namespace cohesion::contact_solver {
@@ -168,6 +169,35 @@ TEST(JkrSolver, ASlowLoadPullsOffAtThreeHalvesOfPiWR) {
     // The contact opens by about its own overlap meanwhile: the load grows by the lag of the ramp.
     EXPECT_NEAR(load, pull_off, 5e-3 * pull_off) << part;
   }
+}
+
+TEST(JkrSolver, FrictionHoldsAContactThatIsPulledBeyondTouch) {
+  // A ball on a plane is pulled up with 0.9 of the pull-off force, so that it rests beyond touch,
+  // and along with half of what friction bears. It does not roll: it stays.
+  contact::ContactParameters p;
+  contact::set_hertz(p, 5e6, 0.25);
+  p.restitution = 0.5;
+  p.friction = 0.3;
+  p.rolling_friction = 10.0;
+  p.work_of_adhesion = 0.1;
+  const double pull_off = 1.5 * pi * p.work_of_adhesion * thesis::radius;
+  Spheres<JkrSolver, ContactHistory::with_rolling> box(p, {}, 1e-5);
+  box.add(thesis::particle(), {0.0, 0.0, thesis::radius - 1e-7}, {});
+  box.add_wall({{}, {0.0, 0.0, 1.0}, {}});
+  box.recorded = false;
+  double highest = 0.0;
+  const int steps = 20000;
+  for (int n = 0; n < steps; n++) {
+    const double part = std::min(1.0, 2.0 * n / steps);
+    // Friction bears 0.3 of 2 - 0.9 pull-off forces.
+    box.gravity = (part * pull_off / thesis::mass) * Vector3{0.5 * 0.3 * 1.1, 0.0, 0.9};
+    box.step();
+    highest = std::max(highest, box.spheres[0].x.z);
+  }
+  EXPECT_GT(highest, thesis::radius);
+  EXPECT_TRUE(box.any_in_range());
+  EXPECT_LT(norm(box.spheres[0].v), 1e-8);
+  EXPECT_LT(std::abs(box.spheres[0].x.x), 1e-6);
 }
 
 }  // namespace cohesion::contact_solver
