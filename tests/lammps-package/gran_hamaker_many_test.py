@@ -2,6 +2,7 @@
 """Many particles in the exact scheme: energy of elastic gases and of damped ones, a sticking pair struck by a third
 sphere, momentum, ranks and restarts, spheres that come to rest."""
 import math
+import sys
 import unittest
 
 import numpy
@@ -174,13 +175,8 @@ class Settling(unittest.TestCase):
     With 20 weights spheres hang in one contact or two, where they spin and roll on without loss unless something
     resists rolling; with a rolling friction nothing is left that moves without loss."""
 
-    def comes_to_rest(self, ratio, division=10, of_start=0.0, seeds=(2,), roll=0.0):
-        """Below `of_start` of the kinetic energy at the start; 0: of what is stored."""
-        for seed in seeds:
-            with self.subTest(seed=seed):
-                self.assertLess(self.kinetic_over_limit(ratio, division, of_start, seed, roll), 1.0)
-
     def kinetic_over_limit(self, ratio, division, of_start, seed, roll):
+        """Over `of_start` of the kinetic energy at the start; 0: over the limit of what is stored."""
         with engine.temporary_folder() as folder:
             settling.write(folder, 5, 5, seed=seed)
             table, _ = settling.follow(folder, division, 0.4, A=settling.hamaker_constant(ratio), roll=roll)
@@ -190,19 +186,25 @@ class Settling(unittest.TestCase):
         self.assertGreater(table[:10, 1].max(), 1.5 * table[0, 1])  # they fell
         return table[-10:, 1].max() / rest  # the last fifth: 800 contact times and more
 
-    def test_without_adhesion(self):
-        self.comes_to_rest(0)
-
-    def test_without_adhesion_in_small_steps(self):
+    def most_come_to_rest(self, ratio, division=10, of_start=0.0):
         # The median of five: in one bed of five or so a sphere comes to its place late.
-        values = sorted(self.kinetic_over_limit(0, 20, 1e-9, seed, 0.0) for seed in (1, 2, 3, 4, 5))
+        values = sorted(self.kinetic_over_limit(ratio, division, of_start, seed, 0.0) for seed in (1, 2, 3, 4, 5))
+        print(f"{ratio} weights, t_c/{division}: " + ", ".join(f"{v:.1e}" for v in values), file=sys.stderr)
         self.assertLess(values[2], 1.0)
 
+    def test_without_adhesion(self):
+        self.most_come_to_rest(0)
+
+    def test_without_adhesion_in_small_steps(self):
+        self.most_come_to_rest(0, 20, 1e-9)
+
     def test_adhesion_of_one_weight(self):
-        self.comes_to_rest(1)
+        self.most_come_to_rest(1)
 
     def test_adhesion_of_twenty_weights(self):
-        self.comes_to_rest(20, seeds=(1, 2, 3), roll=0.01)
+        for seed in (1, 2, 3):
+            with self.subTest(seed=seed):
+                self.assertLess(self.kinetic_over_limit(20, 10, 0.0, seed, 0.01), 1.0)
 
 
 if __name__ == "__main__":
