@@ -8,14 +8,13 @@ import unittest
 import numpy
 
 from cohesion_tests.lammps_scenes import couples, pull_off
+from cohesion_tests.lammps_scenes.oblique_pairs import PHASES, limits
 from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
-from cohesion_tests.lammps_scenes.square_well_scene import gaps
 from cohesion_tests.test_cases import ScriptTestCase
 from cohesion_tests.theory.hertz_contact import OUT, HertzPair
 from cohesion_tests.theory.slow_ramp import HertzGrain
 
 DIAMETER, DENSITY, MODULUS, HAMAKER = 1e-3, 2650.0, 5e6, 7.49e-19
-POSITIONS = 8
 START = 1.001 * OUT
 
 
@@ -32,8 +31,8 @@ class Hertz(unittest.TestCase):
                 pair = HertzPair(MODULUS, restitution, DIAMETER)
                 dt = pair.contact_time(speed) / division
                 atoms = []
-                for position in range(POSITIONS):
-                    atoms += couples.couple(len(atoms) // 2, 1e-5 * DIAMETER + speed * dt * position / POSITIONS,
+                for phase in range(PHASES):
+                    atoms += couples.couple(len(atoms) // 2, 1e-5 * DIAMETER + speed * dt * phase / PHASES,
                                             (0.0, speed, 0.0))
                 steps = math.ceil(1e-5 * DIAMETER / speed / dt) + 3 * division
                 end = couples.run(atoms, [f"1 1 {pair.words()}"], dt, steps)[0][-1]
@@ -42,30 +41,16 @@ class Hertz(unittest.TestCase):
                 self.assertLess(numpy.abs(left - 1).max(), within)
 
     def test_capture(self):
-        # Before those that part meet other couples. Within 1e-3 of the escape velocity at t_c/20, and 2e-3 at t_c/10 for e above 0.7.
-        for restitution in (0.5, 0.7, 0.9, 0.99):
+        # Within 1e-3 of the escape velocity at t_c/20, and 2e-3 at t_c/10 for a restitution of 0.7 or more.
+        for restitution, division, grade in ((0.5, 20, 1e-3), *((e, *step) for e in (0.7, 0.9, 0.99)
+                                                                for step in ((10, 2e-3), (20, 1e-3)))):
             pair = HertzPair(MODULUS, restitution, DIAMETER, HAMAKER)
-            angles = (0, 40, 80)
-            escape = [pair.escape_velocity(math.radians(angle), START) for angle in angles]
-            time = pair.contact_time(pair.touching_speed(escape[0]))
-            for division, grade in ((10, 2e-3), (20, 1e-3)):
-                if restitution < 0.7 and division < 20:
-                    continue
-                factors, dt, atoms = (0.99, 1 - grade, 1 + grade, 1.01), time / division, []
-                for angle, speed in zip(angles, escape):
-                    for factor in factors:
-                        for position in range(POSITIONS):
-                            velocity = factor * speed * numpy.array([math.tan(math.radians(angle)), 1.0, 0.0])
-                            away = numpy.array([0.0, DIAMETER + START, 0.0]) + velocity * dt * position / POSITIONS
-                            distance = numpy.linalg.norm(away)
-                            atoms += couples.couple(len(atoms) // 2, distance - DIAMETER, velocity, normal=away / distance)
-                end = couples.run(atoms, [f"1 1 {pair.words()}"], dt, 30 * division, skin=4e-4)[0][-1]
-                parted = (gaps(end) > START).reshape(len(angles), len(factors), POSITIONS)
-                for angle, answers in zip(angles, parted):
-                    slowest = min((f for f, out in zip(factors, answers) if out.any()), default=math.inf)
-                    fastest = max((f for f, out in zip(factors, answers) if not out.all()), default=0.0)
-                    report(f"e {restitution}, {angle} degrees, t_c/{division}: slowest parted {slowest}, captured {fastest}")
-                    self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
+            speeds = {angle: pair.escape_velocity(math.radians(angle), START) for angle in (0, 40, 80)}
+            dt = pair.contact_time(pair.touching_speed(speeds[0])) / division
+            for angle, slowest, fastest in limits(pair.words(), "gran/hamaker", speeds, grade, dt, 30 * division,
+                                                  START, 0.0, START):
+                report(f"e {restitution}, {angle} degrees, t_c/{division}: slowest parted {slowest}, captured {fastest}")
+                self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
 
     def test_strength(self):
         for partner in pull_off.PARTNERS:

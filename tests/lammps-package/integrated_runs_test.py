@@ -7,6 +7,7 @@ import unittest
 import numpy
 
 from cohesion_tests import lammps
+from cohesion_tests.lammps_scenes.small_box import box, spheres
 from cohesion_tests.test_cases import ScriptTestCase
 
 # A grain falls at up to 0.1 m/s; at t_c/20 of that.
@@ -17,15 +18,8 @@ STEPS = 400
 SAME = 1e-11  # [m]
 LAWS = {"gran/hamaker": "normal hertz 5e6 0.25 restitution 0.7 friction 0.3 rolling_friction 0.05 hamaker 7.49e-19 cutoff 4e-10 1e-7",
         "gran/jkr": "normal hertz 5e6 0.25 restitution 0.7 friction 0.3 rolling_friction 0.05 surface_energy 0.05"}
-OPENING = """
-plugin load ${plugin}
-units si
-atom_style sphere
-atom_modify map array
-boundary p p f
-newton off
-comm_modify vel yes
-"""
+BOX = box(size=(4.2e-3, 4.2e-3, 8e-3), boundary="p p f")
+OPENING = BOX[:BOX.index("region")]
 
 
 class Runs(ScriptTestCase):
@@ -34,9 +28,7 @@ class Runs(ScriptTestCase):
         grid = numpy.array([(x, y, z) for z in (0.55e-3, 1.6e-3, 2.65e-3) for y in (1e-3, 2.1e-3, 3.2e-3)
                             for x in (1e-3, 2.1e-3, 3.2e-3)])
         places = grid + random.uniform(-2e-5, 2e-5, grid.shape)
-        lines = "".join("create_atoms 1 single {} {} {} units box\n".format(*p) for p in places)
-        return (OPENING + "region box block 0 4.2e-3 0 4.2e-3 0 8e-3 units box\ncreate_box 1 box\n" + lines
-                + "set group all diameter 1e-3 density 2650\nneighbor 4e-4 bin\nvelocity all set 0.01 0 -0.1 units box\n")
+        return BOX + spheres(*((1, *p) for p in places)) + "neighbor 4e-4 bin\nvelocity all set 0.01 0 -0.1 units box\n"
 
     def end(self, style, runs, head=None, ranks=1):
         """Places and velocities of the grains by id after `runs`."""

@@ -4,17 +4,14 @@ import math
 import sys
 import unittest
 
-import numpy
-
-from cohesion_tests.lammps_scenes import couples, pull_off
+from cohesion_tests.lammps_scenes import pull_off
+from cohesion_tests.lammps_scenes.oblique_pairs import limits
 from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
-from cohesion_tests.lammps_scenes.square_well_scene import gaps
 from cohesion_tests.test_cases import ScriptTestCase
 from cohesion_tests.theory.jkr_contact import JkrPair
 from cohesion_tests.theory.slow_ramp import JkrGrain
 
 DIAMETER, MODULUS, GAMMA = 1e-3, 1e7, 0.05
-POSITIONS = 8
 
 
 def report(text):
@@ -26,24 +23,10 @@ class Jkr(unittest.TestCase):
         # Within 1e-3 of the sticking speed at t_c/20, and 2e-3 at t_c/10 for a restitution above 0.7.
         for restitution, division, grade in ((0.5, 20, 1e-3), (0.9, 20, 1e-3), (0.9, 10, 2e-3), (0.99, 20, 1e-3)):
             pair = JkrPair(MODULUS, GAMMA, restitution, DIAMETER)
-            angles, factors, atoms = (0, 40, 80), (0.99, 1 - grade, 1 + grade, 1.01), []
-            speeds = [pair.sticking_speed(math.radians(angle)) for angle in angles]
+            speeds = {angle: pair.sticking_speed(math.radians(angle)) for angle in (0, 40, 80)}
             dt = pair.contact_time(speeds[0]) / division
-            start = 2 * pair.tearing
-            for angle, speed in zip(angles, speeds):
-                for factor in factors:
-                    for position in range(POSITIONS):
-                        velocity = factor * speed * numpy.array([math.tan(math.radians(angle)), 1.0, 0.0])
-                        # The velocity is at the angle where they touch.
-                        away = numpy.array([0.0, DIAMETER, 0.0])
-                        away += velocity * (start / (factor * speed) + dt * position / POSITIONS)
-                        distance = numpy.linalg.norm(away)
-                        atoms += couples.couple(len(atoms) // 2, distance - DIAMETER, velocity, normal=away / distance)
-            end = couples.run(atoms, [f"1 1 {pair.words()}"], dt, 30 * division, style="gran/jkr", skin=4e-4)[0][-1]
-            parted = (gaps(end) > 1.5 * pair.tearing).reshape(len(angles), len(factors), POSITIONS)
-            for angle, answers in zip(angles, parted):
-                slowest = min((f for f, out in zip(factors, answers) if out.any()), default=math.inf)
-                fastest = max((f for f, out in zip(factors, answers) if not out.all()), default=0.0)
+            for angle, slowest, fastest in limits(pair.words(), "gran/jkr", speeds, grade, dt, 30 * division,
+                                                  0.0, 2 * pair.tearing, 1.5 * pair.tearing):
                 report(f"e {restitution}, {angle} degrees, t_c/{division}: slowest parted {slowest}, captured {fastest}")
                 self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
 
