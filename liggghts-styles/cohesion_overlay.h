@@ -56,7 +56,9 @@ namespace ContactModels {
 ///                                  to be remembered; not called while all bound ones are listed
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
-///   energy(...)                    AttractionEnergy (model_energy_tally.h)
+///   energy(i, j, ri, rj, gap, remembered)
+///                                  of the attraction, zero far away, [energy]; rj infinite: beside
+///                                  a wall; remembered: what the model stores of the contact
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
  public:

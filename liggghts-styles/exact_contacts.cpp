@@ -113,10 +113,13 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
   guarded(lmp_, who_, [&] {
     const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
                                       reduced_mass, 0.0,     d.is_wall};
-    k.law = make_law_(normal_->law(pair), adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
+    const cohesion::contact::NormalLaw normal = normal_->law(pair);
+    k.law = make_law_(normal, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
     if (frictional_) k.law->leave_out_exchange();
-    k.stiffens = normal_->exponent() != 1.0;
-    if (k.stiffens) return;
+    if (!cohesion::contact::is_linear(normal)) {
+      k.stiffening = normal;
+      return;
+    }
     const auto springs = normal_->springs(pair);
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =

@@ -3,10 +3,10 @@
 #define COHESION_EXACT_CONTACTS_H
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -96,8 +96,9 @@ class ExactContacts {
   struct KnownContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
     std::unique_ptr<ContactSolver> law;
-    bool stiffens = false;                              ///< the tangential spring, with the overlap
-    cohesion::contact_solver::GridSpring tangential{};  ///< of one that does not
+    cohesion::contact_solver::GridSpring tangential{};  ///< beside a linear spring
+    /// Of a tangential spring that stiffens with the overlap; none: it does not.
+    std::optional<cohesion::contact::NormalLaw> stiffening;
   };
 
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
@@ -211,15 +212,17 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
                                         const KnownContact& k, double repulsion, double time_apart,
                                         double* spring) {
   contact.Fn = std::max(repulsion, 0.0);
-  if (!k.stiffens) {
+  if (!k.stiffening) {
     contact.kt = k.tangential.stiffness;
     contact.gammat = k.tangential.damping;
   }
   if (!spring || !contact.shearupdate) return;
-  if (k.stiffens) {
-    const double before = contact.deltan + k.law->step() * contact.vn;
-    const double left =
-        before < contact.deltan ? std::sqrt(std::max(before, 0.0) / contact.deltan) : 1.0;
+  if (k.stiffening) {
+    const auto stiffness = [&](double overlap) {
+      return cohesion::contact::point_of(*k.stiffening, overlap).radius_stiffness;
+    };
+    const double left = cohesion::contact::stretch_left(
+        stiffness(contact.deltan + k.law->step() * contact.vn), stiffness(contact.deltan));
     for (int d = 0; d < 3; d++) spring[d] *= left;
   }
   if (time_apart == 0.0) return;

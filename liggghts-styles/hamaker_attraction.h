@@ -14,7 +14,6 @@
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
-#include "model_energy_tally.h"
 #include "normal_model_probe.h"
 #include "plausible_sizes.h"
 #include "settings.h"
@@ -25,7 +24,7 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Of the cohesion model hamaker: hamaker/law.h with the form of small gaps.
-class HamakerAttraction : public AttractionEnergy {
+class HamakerAttraction {
  public:
   static constexpr const char* MODEL = "hamaker";
   static constexpr bool BINDS_WHAT_ENTERED = false;
@@ -76,7 +75,7 @@ class HamakerAttraction : public AttractionEnergy {
                                                      LAMMPS_NS::si_units(lmp_));
   }
 
-  double energy(int itype, int jtype, double ri, double rj, double gap, bool) const override {
+  double energy(int itype, int jtype, double ri, double rj, double gap, bool) const {
     return laws_.of(itype, jtype).energy(gap, geometry(!std::isfinite(rj), ri, rj));
   }
 

@@ -11,7 +11,6 @@
 #include "encounter.h"
 #include "lammps.h"
 #include "liquid_bridge/parameters.h"
-#include "model_energy_tally.h"
 #include "normal_model_probe.h"
 #include "table_of_types.h"
 
@@ -20,7 +19,7 @@ namespace Cohesion {
 
 /// Of the cohesion model liquid_bridge (liquid_bridge/parameters.h). Whether a contact has its
 /// bridge goes with the engine's contact history through exchange and restart.
-class LiquidBridgeAttraction final : public AttractionEnergy {
+class LiquidBridgeAttraction {
  public:
   static constexpr const char* MODEL = "liquid_bridge";
   static constexpr bool BINDS_WHAT_ENTERED = true;
@@ -61,7 +60,7 @@ class LiquidBridgeAttraction final : public AttractionEnergy {
 
   double force(const Encounter& encounter);
   /// Zero at touch.
-  double energy(int itype, int jtype, double, double, double gap, bool bridged) const override {
+  double energy(int itype, int jtype, double, double, double gap, bool bridged) const {
     return bridged ? laws_.of(itype, jtype).force * gap : 0.0;
   }
 

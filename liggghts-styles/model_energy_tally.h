@@ -14,16 +14,6 @@
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// Energy of an attraction, as its law has it.
-class AttractionEnergy {
- public:
-  virtual ~AttractionEnergy() = default;
-  /// Of two types and radii at `gap` [length]; rj infinite: beside a wall. inside: what the model
-  /// remembers of the contact. [energy]
-  virtual double energy(int itype, int jtype, double ri, double rj, double gap,
-                        bool inside) const = 0;
-};
-
 /// What of the engine's other models a contact has.
 struct OtherModels {
   int displacement = -1;  ///< where the contact keeps that of the tangential spring; negative: none

@@ -12,7 +12,6 @@
 #include "contact_solver/square_well_solver.h"
 #include "encounter.h"
 #include "lammps.h"
-#include "model_energy_tally.h"
 #include "normal_model_probe.h"
 #include "square_well/parameters.h"
 #include "square_well/sight.h"
@@ -31,7 +30,7 @@ struct LateWarning;
 /// Of the cohesion model square_well: sampled_contact/sampled_well.h, the impulse at the edge
 /// spread over the step. What it remembers of each contact goes with the engine's contact history
 /// through exchange and restart.
-class SquareWellAttraction final : public AttractionEnergy {
+class SquareWellAttraction {
  public:
   static constexpr const char* MODEL = "square_well";
   static constexpr bool BINDS_WHAT_ENTERED = true;
@@ -82,7 +81,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   static std::string doubt(int, int) { return ""; }
 
   double force(const Encounter& encounter);
-  double energy(int itype, int jtype, double, double, double, bool inside) const override {
+  double energy(int itype, int jtype, double, double, double, bool inside) const {
     return inside ? -wells_.of(itype, jtype).well.depth : 0.0;
   }
 

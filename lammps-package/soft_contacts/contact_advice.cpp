@@ -150,8 +150,7 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
                                           const cohesion::contact::Adhesion& adhesion) {
   AdvisedContact c{name, i, j, {}, adhesion};
   if (!c.moves()) return c;
-  c.springs =
-      advice::springs_of(contact, 1.0 / (1.0 / i.radius + 1.0 / j.radius), c.reduced_mass());
+  c.springs = advice::springs_of(contact, c.reduced_radius(), c.reduced_mass());
   return c;
 }
 

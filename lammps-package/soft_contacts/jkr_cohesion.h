@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cohesion_law.h"
-#include "constants.h"
 #include "contact/jkr_spring_dashpot.h"
 #include "contact_solver/jkr_solver.h"
 #include "sampled_contact/sampled_bridge.h"
@@ -34,11 +33,9 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
     double work_of_adhesion;
   };
 
-  /// Of two surfaces of the energy gamma, w = 2 gamma.
   static std::vector<ContactKeyword<Parameters>> keywords() {
     return {{"surface_energy", 1, [](Parameters& p, const double* v) {
-               cohesion::require_positive("surface energy gamma", v[0]);
-               p.contact.work_of_adhesion = 2.0 * v[0];
+               cohesion::contact::set_surface_energy(p.contact, v[0]);
              }}};
   }
   static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters&,
@@ -49,9 +46,8 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
   /// Up to where a neck tears.
   static double range(Scheme, const Parameters& p, double radius_i, double radius_j) {
     const double radius = radius_j > 0.0 ? cohesion::reduced_radius(radius_i, radius_j) : radius_i;
-    return -cohesion::contact::JkrSpringDashpot(p.contact.modulus, radius,
-                                                p.contact.work_of_adhesion, 1.0, 1.0)
-                .lowest_overlap();
+    return cohesion::contact::JkrSpringDashpot::tearing_gap(p.contact.modulus, radius,
+                                                            p.contact.work_of_adhesion);
   }
 
   Law law(LAMMPS*, const std::string&, const Parameters& p) const {
@@ -59,7 +55,7 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
   }
   Law no_law() const { return {0.0}; }
 
-  /// The pull-off force, for the time-step check; the solver knows the rest from the contact.
+  /// The pull-off force, for the time-step check; the solver obtains the rest from the contact.
   template <class Attraction>
   static Attraction of_pair(const Law& law, double radius_i, double radius_j) {
     return of_wall<Attraction>(law, cohesion::reduced_radius(radius_i, radius_j));
@@ -67,7 +63,7 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
   template <class Attraction>
   static Attraction of_wall(const Law& law, double radius) {
     Attraction pull{};
-    pull.force = 1.5 * cohesion::pi * law.work_of_adhesion * radius;
+    pull.force = cohesion::contact::JkrSpringDashpot::pull_off_force(radius, law.work_of_adhesion);
     pull.forms_at_touch = true;
     return pull;
   }

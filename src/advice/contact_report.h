@@ -35,6 +35,8 @@ struct AdvisedContact {
   bool moves() const { return inverse_mass() > 0.0; }
   double reduced_mass() const { return 1.0 / inverse_mass(); }
   double diameter() const { return 2.0 * std::min(i.radius, j.radius); }
+  /// R*, [length]; beside a wall the radius.
+  double reduced_radius() const { return 1.0 / (1.0 / i.radius + 1.0 / j.radius); }
   /// Between the centres; beside a wall the diameter.
   double distance() const {
     const double sum = i.radius + j.radius;

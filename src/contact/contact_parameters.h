@@ -41,6 +41,13 @@ inline void set_hertz(ContactParameters& p, double youngs_modulus, double poisso
   p.tangential_ratio = 2.0 * (1.0 - poissons_ratio) / (2.0 - poissons_ratio);
 }
 
+/// Sets the work of adhesion of two surfaces of this energy [energy/length^2], w = 2 gamma. Throws
+/// InvalidParameter unless gamma > 0.
+inline void set_surface_energy(ContactParameters& p, double gamma) {
+  require_positive("surface energy gamma", gamma);
+  p.work_of_adhesion = 2.0 * gamma;
+}
+
 /// Throws InvalidParameter unless K > 0, or E* > 0 without K and eta, 0 <= e <= 1 and the rest is
 /// not negative, all finite.
 inline void require_valid(const ContactParameters& p) {

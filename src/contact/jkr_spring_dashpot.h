@@ -45,12 +45,22 @@ class JkrSpringDashpot {
     neck_ = std::sqrt(2.0 * pi * work_of_adhesion / reduced_modulus);
     scale_ = std::cbrt(neck_ * reduced_radius);
     inverse_cube_ = reduced_radius / std::pow(scale_, 4.0);
-    const double s = tearing * scale_;
-    lowest_ = -3.0 * std::pow(s, 4.0) / reduced_radius;
+    lowest_ = -tearing_gap(reduced_modulus, reduced_radius, work_of_adhesion);
     stiffness_ = 4.0 * reduced_modulus / (3.0 * reduced_radius);
     const double lost = restitution > 0.0 ? -std::log(restitution) : 0.0;
     const double part = restitution > 0.0 ? lost / std::hypot(pi, lost) : 1.0;
     damping_ = std::sqrt(5.0 * reduced_mass * stiffness_ * reduced_radius) * part;
+  }
+
+  /// The largest pull that a contact bears, (3/2) pi w R* [force].
+  static double pull_off_force(double reduced_radius, double work_of_adhesion) {
+    return 1.5 * pi * work_of_adhesion * reduced_radius;
+  }
+  /// The gap at which two tear apart, (3/4) (pi^2 w^2 R*/E*^2)^(1/3) [length].
+  static double tearing_gap(double reduced_modulus, double reduced_radius,
+                            double work_of_adhesion) {
+    const double strain = pi * work_of_adhesion / reduced_modulus;
+    return 0.75 * std::cbrt(strain * strain * reduced_radius);
   }
 
   double reduced_mass() const { return reduced_mass_; }
@@ -61,7 +71,7 @@ class JkrSpringDashpot {
   /// The energy of the neck that forms at touch, below 0, [energy].
   double touch_energy() const { return at(0.0).energy; }
   /// Up to twice the pull-off force holds friction against a contact that is pulled, [force].
-  double friction_load() const { return 3.0 * pi * work_of_adhesion_ * radius_; }
+  double friction_load() const { return 2.0 * pull_off_force(radius_, work_of_adhesion_); }
 
   /// At an overlap x >= lowest_overlap() [length].
   LawPoint at(double x) const {

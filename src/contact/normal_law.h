@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <type_traits>
 #include <variant>
 
 #include "contact/hertz_spring_dashpot.h"
@@ -12,6 +14,27 @@ namespace cohesion::contact {
 /// Spring and dashpot along the normal of a contact, without adhesion. To add a law: its file, its
 /// alternative here, and what moves a contact under it (contact_solver/contact_motion.h).
 using NormalLaw = std::variant<LinearSpringDashpot, HertzSpringDashpot, JkrSpringDashpot>;
+
+inline bool is_linear(const NormalLaw& law) {
+  return std::holds_alternative<LinearSpringDashpot>(law);
+}
+
+/// A law other than the linear one at an overlap [length], not below that at which contact ends.
+inline LawPoint point_of(const NormalLaw& law, double overlap) {
+  return std::visit(
+      [overlap](const auto& l) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, LinearSpringDashpot>)
+          return LawPoint{};
+        else
+          return l.at(std::max(overlap, l.lowest_overlap()));
+      },
+      law);
+}
+
+/// The part of a tangential stretch that is left when the contact stiffens from one
+/// radius_stiffness to another: the force of the spring stays. A contact that softens keeps the
+/// stretch.
+inline double stretch_left(double before, double now) { return now > before ? before / now : 1.0; }
 
 inline double reduced_mass(const NormalLaw& law) {
   return std::visit([](const auto& l) { return l.reduced_mass(); }, law);

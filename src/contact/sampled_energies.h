@@ -39,9 +39,9 @@ struct ContactSample {
   Vector3 normal_dashpot() const {
     return (repulsion - (overlap > 0.0 ? stiffness * overlap : 0.0)) * normal;
   }
-  /// Force of the tangential dashpot on i; zero in a contact that slides, whose Coulomb force has no
-  /// dashpot. A contact sticks where the tangential force equals the sum of spring and dashpot within
-  /// 1e-6 of the dashpot, which is well above rounding.
+  /// Force of the tangential dashpot on i; zero in a contact that slides, whose Coulomb force has
+  /// no dashpot. A contact sticks where the tangential force equals the sum of spring and dashpot
+  /// within 1e-6 of the dashpot, which is well above rounding.
   Vector3 tangential_dashpot() const {
     const Vector3 dashpot = -tangential_damping * slip;
     const Vector3 rest = tangential + tangential_stiffness * displacement - dashpot;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <type_traits>
 #include <variant>
 
 #include "contact/contact_parameters.h"
@@ -28,7 +26,7 @@ class ContactSpring {
         law_(law),
         step_(step),
         inverse_mass_(inverse_mass),
-        stiffens_(!std::holds_alternative<contact::LinearSpringDashpot>(law)),
+        stiffens_(!contact::is_linear(law)),
         constant_(stiffens_
                       ? at(0.0)
                       : DiscreteSpring(parameters(std::get<contact::LinearSpringDashpot>(law)),
@@ -42,20 +40,18 @@ class ContactSpring {
   /// Of any at this overlap [length].
   DiscreteSpring at(double overlap) const {
     if (!stiffens_) return constant_;
-    return DiscreteSpring::at_time_level(parameters(point(overlap)), step_, inverse_mass_);
+    return DiscreteSpring::at_time_level(parameters(contact::point_of(law_, overlap)), step_,
+                                         inverse_mass_);
   }
   /// Of one that stiffens, at this point of the law.
   DiscreteSpring at(const contact::LawPoint& here) const {
     return DiscreteSpring::at_time_level(parameters(here), step_, inverse_mass_);
   }
-  /// What is left of a stretch from one radius_stiffness to another.
-  static double left_of_stretch_between(double before, double now) {
-    return now > before ? before / now : 1.0;
-  }
   /// What is left of a stretch from one overlap [length] to another.
   double left_of_stretch(double before, double now) const {
     if (!stiffens_ || !(now > before)) return 1.0;
-    return left_of_stretch_between(point(before).radius_stiffness, point(now).radius_stiffness);
+    return contact::stretch_left(contact::point_of(law_, before).radius_stiffness,
+                                 contact::point_of(law_, now).radius_stiffness);
   }
 
  private:
@@ -63,16 +59,6 @@ class ContactSpring {
   contact::TangentialParameters parameters(const Normal& normal) const {
     return kind_ == Kind::sliding ? contact::tangential_contact(contact_, normal)
                                   : contact::rolling_contact(contact_, normal);
-  }
-  contact::LawPoint point(double overlap) const {
-    return std::visit(
-        [overlap](const auto& law) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(law)>, contact::LinearSpringDashpot>)
-            return contact::LawPoint{};
-          else
-            return law.at(std::max(overlap, law.lowest_overlap()));
-        },
-        law_);
   }
 
   Kind kind_;

@@ -125,7 +125,7 @@ class EnergySums {
   void lose(const ContactLosses& lost) { add_to(lost_, 1.0, lost); }
 
   /// Adds the work of what acts on a particle that moves freely. `starts`: in the first step of a
-  /// run that takes over nothing, when nothing is stored beside the kinetic energy.
+  /// run that continues no other, when nothing is stored beside the kinetic energy.
   void end_step(const ForcesAtLevel& f, double inverse_mass, double inverse_inertia,
                 const Passage& passage, double half, bool starts) {
     external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
@@ -145,7 +145,7 @@ class EnergySums {
   void add_so_far(double factor, double* entries) const {
     entries[energy_tally::NORMAL_DAMPING] += factor * lost_.normal_damping;
     entries[energy_tally::TANGENTIAL_DAMPING] += factor * lost_.tangential_damping;
-    // What friction takes from the motion goes into springs, dashpots and sliding.
+    // What friction removes from the motion goes into springs, dashpots and sliding.
     entries[energy_tally::FRICTION] -=
         factor * (friction.so_far() + stored_.tangential_spring + stored_.rolling_spring +
                   lost_.tangential_damping + lost_.rolling);

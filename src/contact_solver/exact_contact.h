@@ -291,9 +291,9 @@ class ExactContact {
                                                      state, slips);
     } else {
       const double before = does.radius_stiffness_before;
-      const double left =
-          before >= 0.0 ? ContactSpring::left_of_stretch_between(before, does.at.radius_stiffness)
-                        : spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap);
+      const double left = before >= 0.0
+                              ? contact::stretch_left(before, does.at.radius_stiffness)
+                              : spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap);
       state.stretch = left * state.stretch;
       impulse = spring.at(does.at).advance_persistent(touch.plane(), rate, does.repulsion, true,
                                                       state, slips);

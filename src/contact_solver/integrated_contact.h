@@ -25,8 +25,8 @@ namespace cohesion::contact_solver {
 /// of c over the overlap, in two sub-steps: y has no jump where a dashpot sets in. Whether and with
 /// which speed a pair parts is decided by its energy, not by where a sub-step ends.
 ///
-/// The energy account (energy_account.h) holds the work of the forces and what the dashpot takes,
-/// int |v| dC, from the speeds that the energy leaves at the time levels.
+/// The energy account (energy_account.h) holds the work of the forces and what the dashpot
+/// dissipates, int |v| dC, from the speeds that the energy leaves at the time levels.
 ///
 /// `Law` has at(x), a contact::LawPoint, reduced_mass(), is_damped(), lowest_overlap() at which a
 /// contact ends, and friction_load().
