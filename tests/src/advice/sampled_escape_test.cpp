@@ -99,8 +99,8 @@ TEST(SampledEscape, OfAWellAsWrittenOut) {
 }
 
 TEST(SampledEscape, ConvergesToTheExactOne) {
-  // Of first order in the position of the contact, whose mean is none:
-  // docs/verification/contacts.md has 0.02 at 1e-6 s for one position, a tenth of it at 1e-7 s.
+  // Of first order in the position of the contact, whose mean is none: 0.02 at 1e-6 s for one
+  // position, a tenth of it at 1e-7 s.
   const double step = 1e-7, exact = exact_hamaker();
   const SampledEscape hamaker = hamaker_at(step);
   EXPECT_NEAR(hamaker.mean / exact, 1.0, 2e-3);
@@ -111,8 +111,7 @@ TEST(SampledEscape, ConvergesToTheExactOne) {
 }
 
 TEST(SampledEscape, SpreadsAtTheStepOfTheThesis) {
-  // docs/verification/contacts.md has 0.29 to 1.67 at this step from eight positions; more
-  // positions see more.
+  // Eight positions spread from 0.29 to 1.67 at this step; more positions spread more.
   const SampledEscape found = hamaker_at(thesis_step);
   EXPECT_LT(found.slowest_parted, 0.29 * exact_hamaker());
   EXPECT_GT(found.fastest_stuck, 1.67 * exact_hamaker());
