@@ -8,7 +8,8 @@
 #define COHESION_ROWS(ROW) \
   ROW(COHESION_HAMAKER, hamaker, 20, HamakerAttraction) \
   ROW(COHESION_SQUARE_WELL, square_well, 21, SquareWellAttraction) \
-  ROW(COHESION_LIQUID_BRIDGE, liquid_bridge, 22, LiquidBridgeAttraction)
+  ROW(COHESION_LIQUID_BRIDGE, liquid_bridge, 22, LiquidBridgeAttraction) \
+  ROW(COHESION_JKR, jkr, 23, JkrAttraction)
 // clang-format on
 #endif
 
@@ -25,6 +26,7 @@ COHESION_ROWS(COHESION_ROW)
 
 #include "cohesion_overlay.h"
 #include "hamaker_attraction.h"
+#include "jkr_attraction.h"
 #include "liquid_bridge_attraction.h"
 #include "square_well_attraction.h"
 

@@ -35,15 +35,18 @@ class HamakerAttraction;
 namespace ContactModels {
 
 /// A cohesion laid over whatever contact model it is combined with, at overlap and across a gap.
-/// `Attraction` says what is its own:
+/// `Attraction` says what is its own; CohesionDefaults has what most have in common:
 ///
 ///   MODEL                          name in a script
 ///   Solver                         of scheme exact: ContactSolver, or one that derives from it
+///   HAS_SAMPLED                    false: it has no scheme sampled
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
+///   contact_law(normal, i, j, ri, rj)
+///                                  of scheme exact, made of the engine's normal law
 ///   material(i, j)                 that a contact of two types stands for
 ///   doubt(i, j)                    what to say of numbers that no material has; empty: nothing
 ///   range()                        how far it must see (contact_range.h)
@@ -73,14 +76,17 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   void registerSettings(Settings& settings) override {
-    Cohesion::register_scheme(lmp, settings, name(), is_exact_);
+    Cohesion::register_scheme(lmp, settings, name(), scheme_);
     attraction_.registerSettings(settings);
     make_probe();
     normal_->registerSettings(settings);
   }
   void postSettings(IContactHistorySetup* owner, ContactModelBase*) override {
-    if (is_exact_) events_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
-    advice_->set_exact(is_exact_);
+    if (!Attraction::HAS_SAMPLED && scheme_ == Cohesion::SchemeChoice::sampled)
+      error->all(FLERR,
+                 (name() + " has no scheme sampled: use 'scheme exact', its default").c_str());
+    if (scheme_ != Cohesion::SchemeChoice::sampled)
+      events_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
   }
 
   void connectToProperties(PropertyRegistry& registry) override {
@@ -89,6 +95,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (force->cg_active()) error->cg(FLERR, name().c_str());
     if (!normal_) make_probe();  // from a restart file, which keeps no settings
     normal_->connect(registry);
+    choose_scheme(registry.max_type());
     attraction_.connect(registry, *normal_);
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
     connect_tally();
@@ -185,6 +192,25 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     near.has_force_update = true;
   }
 
+  /// Without a keyword the scheme is exact where the contact model allows it, and a wall has that
+  /// of the pairs. What is chosen stays for later runs.
+  void choose_scheme(int types) {
+    using Choice = Cohesion::SchemeChoice;
+    const bool follows_pairs = scheme_ == Choice::none && wall_ && Attraction::HAS_SAMPLED;
+    if (follows_pairs && !Cohesion::pairs_are_exact(lmp)) scheme_ = Choice::sampled;
+    if (scheme_ != Choice::sampled)
+      scheme_ = Cohesion::scheme_of(lmp, name(), wall_, scheme_, obstacle_to_exact(types),
+                                    Attraction::HAS_SAMPLED);
+    if (!is_exact()) events_.reset();
+    advice_->set_exact(is_exact());
+  }
+  /// Why scheme exact is impossible; empty: it is possible.
+  std::string obstacle_to_exact(int types) const {
+    return events_ ? events_->obstacle(*normal_, types)
+                   : "a restart file stores no keywords of contact models: repeat pair_style gran "
+                     "and fix wall/gran behind read_restart";
+  }
+
   void connect_events(PropertyRegistry& registry) {
     slides_ = has("tangential", "history");
     if constexpr (std::is_same_v<Attraction, Cohesion::HamakerAttraction>)
@@ -192,6 +218,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     events_->connect(
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
+        [this](const auto& normal, int i, int j, double ri, double rj) {
+          return attraction_.contact_law(normal, i, j, ri, rj);
+        },
         [](const auto& spring, const auto& adhesion, double distance, double step) {
           using Law = typename Attraction::Solver;
           return std::unique_ptr<Cohesion::ExactContacts::ContactSolver>(
@@ -200,6 +229,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         attraction_.range(), !has("tangential", "off") || !has("rolling_friction", "off"),
         registry.max_type());
   }
+
+  bool is_exact() const override { return scheme_ == Cohesion::SchemeChoice::exact; }
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
@@ -212,10 +243,14 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     normal_ = std::make_unique<Cohesion::NormalModelProbe>(
         lmp, [this](const char* model) { return has("normal", model); });
     advice_ = std::make_shared<Cohesion::ContactAdvice>(
-        lmp, wall_, name(), *normal_, [this](cohesion::advice::AdvisedContact& c, int i, int j) {
+        lmp, wall_, name(), *normal_,
+        [this](cohesion::advice::AdvisedContact& c, int i, int j) {
           c.adhesion = attraction_.adhesion(i, j, c.i.radius, c.j.radius);
           c.material = attraction_.material(i, j);
           c.doubt = attraction_.doubt(i, j);
+        },
+        [this](const auto& normal, int i, int j, double ri, double rj) {
+          return attraction_.contact_law(normal, i, j, ri, rj);
         });
   }
 
@@ -286,7 +321,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   FixWallGran* wall_;  // null for pairs
   PairGran* pair_;     // null for walls
   Attraction attraction_;
-  bool is_exact_ = false;
+  Cohesion::SchemeChoice scheme_ = Cohesion::SchemeChoice::none;
   bool slides_ = false;                              // over a spring
   std::unique_ptr<Cohesion::ExactContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;

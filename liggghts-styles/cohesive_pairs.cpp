@@ -62,6 +62,12 @@ const CohesivePairs* CohesivePairs::of(const IContactHistorySetup* owner) {
   return found == known().end() ? nullptr : found->second;
 }
 
+bool pairs_are_exact(LAMMPS* lmp) {
+  const auto* const pair = dynamic_cast<PairGran*>(lmp->force->pair_match("gran", 1));
+  const CohesivePairs* const pairs = pair ? CohesivePairs::of(pair) : nullptr;
+  return pairs && pairs->is_exact();
+}
+
 void CohesivePairs::append_bound(std::vector<std::array<int, 2> >& pairs) const {
   if (!pair_) return;
   const NeighList* const list = pair_->list;

@@ -21,6 +21,9 @@ void note_cohesion_model(const std::string& name);
 std::string cohesion_models();
 bool is_cohesion_model(const std::string& name);
 
+/// Whether pair_style gran has a cohesion model of this package with scheme exact.
+bool pairs_are_exact(LAMMPS_NS::LAMMPS* lmp);
+
 /// Pairs of pair_style gran, of which a cohesion says which it binds. The engine keeps its models
 /// out of reach; so each makes itself known by the pair style, or the fix of a wall, that it is a
 /// part of.
@@ -33,6 +36,9 @@ class CohesivePairs : public LAMMPS_NS::BoundPairs {
 
   /// Of a pair style or a fix wall/gran; null: it has no cohesion of this package.
   static const CohesivePairs* of(const IContactHistorySetup* owner);
+
+  /// Whether their scheme is exact.
+  virtual bool is_exact() const = 0;
 
   void append_bound(std::vector<std::array<int, 2> >& pairs) const override;
 

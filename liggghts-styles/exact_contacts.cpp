@@ -13,6 +13,7 @@
 #include "guarded.h"
 #include "hidden_fix.h"
 #include "mesh_contact.h"
+#include "modify.h"
 #include "neighbor.h"
 #include "update.h"
 #include "vector3.h"
@@ -56,10 +57,11 @@ ExactContacts::ExactContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 
 ExactContacts::~ExactContacts() = default;
 
-void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
-                            const ContactRange& range, bool frictional, int types) {
+void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, ContactLaw law,
+                            MakeLaw maker, const ContactRange& range, bool frictional, int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
+  contact_law_ = std::move(law);
   make_law_ = maker;
   range_ = range;
   frictional_ = frictional;
@@ -77,20 +79,29 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
   auto& warnings = hidden_fix<FixContactAdvice>(lmp_);
   late_ = warnings.late_warning(who_ + seen_too_late);
   cut_short_ = warnings.late_warning(who_ + turned_too_often);
-  const auto reject = [&](const std::string& why) {
-    lmp_->error->all(FLERR, (who_ + ", scheme exact: model " + normal.name() + " " + why +
-                             ": use 'scheme sampled', or model hooke, hooke/stiffness, hertz or "
-                             "hertz/stiffness as it is by default")
-                                .c_str());
+}
+
+std::string ExactContacts::obstacle(const NormalModelProbe& normal, int types) const {
+  const std::string bodies = FixOthers::rigid_bodies(*lmp_->modify);
+  if (!bodies.empty())
+    return bodies + " moves bodies of several spheres, and it resolves spheres that move each by " +
+           "itself: use 'scheme sampled'";
+  const auto of_model = [&](const std::string& why) {
+    return "model " + normal.name() + " " + why +
+           ": use 'scheme sampled', or model hooke, hooke/stiffness, hertz or hertz/stiffness as "
+           "it "
+           "is by default";
   };
   if (normal.exponent() != 1.0 && normal.exponent() != 1.5)
-    reject("has a spring that is neither linear nor Hertz's");
+    return of_model("has a spring that is neither linear nor Hertz's");
   for (int i = 1; i <= types; i++)
     for (int j = 1; j <= types; j++) {
-      if (normal.dashpot_varies(i, j)) reject("has a dashpot that depends on the speed (viscous)");
+      if (normal.dashpot_varies(i, j))
+        return of_model("has a dashpot that depends on the speed (viscous)");
       if (normal.limits_force(i, j))
-        reject("cuts the force off where the dashpot pulls (limitForce)");
+        return of_model("cuts the force off where the dashpot pulls (limitForce)");
     }
+  return "";
 }
 
 ExactContacts::KnownContact* ExactContacts::know(KnownContact& k,
@@ -113,11 +124,13 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
   guarded(lmp_, who_, [&] {
     const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
                                       reduced_mass, 0.0,     d.is_wall};
-    const cohesion::contact::NormalLaw normal = normal_->law(pair);
+    const cohesion::contact::NormalLaw normal =
+        contact_law_(normal_->law(pair), d.itype, d.jtype, d.radi, k.rj);
     k.law = make_law_(normal, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
     if (frictional_) k.law->leave_out_exchange();
     if (!cohesion::contact::is_linear(normal)) {
       k.stiffening = normal;
+      k.wider_than_hertz = !std::holds_alternative<cohesion::contact::HertzSpringDashpot>(normal);
       return;
     }
     const auto springs = normal_->springs(pair);
@@ -252,7 +265,7 @@ void ExactContacts::write(const ContactModels::SurfacesCloseData& d, const Conta
 void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
                                  const ContactStep& step, double* spring) const {
   if (followed_)
-    set_friction(contact, *followed_, step.repulsion, time_apart_, spring);
+    set_friction(contact, *followed_, {0.0, step.repulsion, 0.0}, time_apart_, spring);
   else
     contact.Fn = std::max(step.repulsion, 0.0);
 }

@@ -3,6 +3,7 @@
 #define COHESION_EXACT_CONTACTS_H
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -52,10 +53,14 @@ class ExactContacts {
                 const std::string& who);
   ~ExactContacts();
 
-  /// `adhesion`: of two types and radii; rj infinite: next to a wall; maker: of the solver; range:
-  /// beyond which nothing acts; frictional: whether friction acts in contacts. Stops where the
-  /// normal model is none that the scheme can follow.
-  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
+  /// Why contacts of this normal model, or the particles of the run, cannot be integrated; empty:
+  /// they can.
+  std::string obstacle(const NormalModelProbe& normal, int types) const;
+
+  /// `adhesion`: of two types and radii; rj infinite: next to a wall; law: made of the engine's
+  /// normal law for the same; maker: of the solver; range: beyond which nothing acts; frictional:
+  /// whether friction acts in contacts.
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, ContactLaw law, MakeLaw maker,
                const ContactRange& range, bool frictional, int types);
 
   /// What follow() and set_friction() do of a contact that goes on as in the step before: `force`,
@@ -99,6 +104,8 @@ class ExactContacts {
     cohesion::contact_solver::GridSpring tangential{};  ///< beside a linear spring
     /// Of a tangential spring that stiffens with the overlap; none: it does not.
     std::optional<cohesion::contact::NormalLaw> stiffening;
+    /// Whether the radius of contact is not Hertz's, from which the engine derives its K_t.
+    bool wider_than_hertz = false;
   };
 
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
@@ -138,7 +145,8 @@ class ExactContacts {
              const cohesion::contact_solver::ContactStep& step) const;
   /// `time_apart`: how much of the step before it was no contact, [time].
   static void set_friction(ContactModels::SurfacesIntersectData& contact, const KnownContact& k,
-                           double repulsion, double time_apart, double* spring);
+                           const cohesion::contact_solver::PersistentStep& step, double time_apart,
+                           double* spring);
   void make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
@@ -148,6 +156,7 @@ class ExactContacts {
   int offset_;
   const NormalModelProbe* normal_ = nullptr;
   Adhesion adhesion_;
+  ContactLaw contact_law_;
   MakeLaw make_law_ = nullptr;
   ContactRange range_;
   FixOthers* others_ = nullptr;
@@ -184,7 +193,7 @@ inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
     return false;
   }
   force = state.force;
-  set_friction(contact, *k, step.repulsion, time_apart, spring);
+  set_friction(contact, *k, step, time_apart, spring);
   state.store_persistent(history);
   history[REPULSION] = step.repulsion;
   history[STEP] = now + 1.0;
@@ -209,20 +218,30 @@ inline bool ExactContacts::is_far(const ContactModels::SurfacesCloseData& d) con
 }
 
 inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
-                                        const KnownContact& k, double repulsion, double time_apart,
-                                        double* spring) {
-  contact.Fn = std::max(repulsion, 0.0);
+                                        const KnownContact& k,
+                                        const cohesion::contact_solver::PersistentStep& step,
+                                        double time_apart, double* spring) {
+  contact.Fn = std::max(step.repulsion, 0.0);
   if (!k.stiffening) {
     contact.kt = k.tangential.stiffness;
     contact.gammat = k.tangential.damping;
   }
+  const auto radius_stiffness = [&](double overlap) {
+    return cohesion::contact::point_of(*k.stiffening, overlap).radius_stiffness;
+  };
+  double here = step.at.radius_stiffness;
+  if (k.stiffening && here == 0.0) here = radius_stiffness(contact.deltan);
+  if (k.wider_than_hertz) {
+    const double wider = here / (1.5 * contact.kn);
+    contact.kt *= wider;
+    contact.gammat *= std::sqrt(wider);
+  }
   if (!spring || !contact.shearupdate) return;
   if (k.stiffening) {
-    const auto stiffness = [&](double overlap) {
-      return cohesion::contact::point_of(*k.stiffening, overlap).radius_stiffness;
-    };
-    const double left = cohesion::contact::stretch_left(
-        stiffness(contact.deltan + k.law->step() * contact.vn), stiffness(contact.deltan));
+    const double before = step.radius_stiffness_before >= 0.0
+                              ? step.radius_stiffness_before
+                              : radius_stiffness(contact.deltan + k.law->step() * contact.vn);
+    const double left = cohesion::contact::stretch_left(before, here);
     for (int d = 0; d < 3; d++) spring[d] *= left;
   }
   if (time_apart == 0.0) return;

@@ -44,14 +44,19 @@ FixOthers::~FixOthers() {
 int FixOthers::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE; }
 
 void FixOthers::init() {
-  for (int k = 0; k < modify->nfix; k++)
+  const std::string bodies = rigid_bodies(*modify);
+  if (!bodies.empty())
+    error->all(FLERR, ("cohesion, scheme exact: resolves spheres that move each by itself, and " +
+                       bodies + " moves bodies of several: use 'scheme sampled'")
+                          .c_str());
+}
+
+std::string FixOthers::rigid_bodies(const Modify& modify) {
+  for (int k = 0; k < modify.nfix; k++)
     for (const char* const bodies : {"multisphere", "rigid"})
-      if (std::strncmp(modify->fix[k]->style, bodies, std::strlen(bodies)) == 0)
-        error->all(FLERR, (std::string("cohesion, scheme exact: follows spheres that move each by "
-                                       "itself, and fix ") +
-                           modify->fix[k]->style + " " + modify->fix[k]->id +
-                           " moves bodies of several: use 'scheme sampled'")
-                              .c_str());
+      if (std::strncmp(modify.fix[k]->style, bodies, std::strlen(bodies)) == 0)
+        return std::string("fix ") + modify.fix[k]->style + " " + modify.fix[k]->id;
+  return "";
 }
 
 /// Forces of a run that is set up are those of before or act on where all is.

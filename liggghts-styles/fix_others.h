@@ -2,8 +2,11 @@
 #ifndef COHESION_FIX_OTHERS_H
 #define COHESION_FIX_OTHERS_H
 
+#include <string>
+
 #include "atom.h"
 #include "fix.h"
+#include "modify.h"
 #include "vector3.h"
 
 namespace LIGGGHTS {
@@ -36,6 +39,10 @@ class FixOthers : public LAMMPS_NS::Fix {
   void write_restart(FILE*) override;
   void restart(char*) override;
   double memory_usage() override;
+
+  /// "fix STYLE ID" of the first fix that moves rigid bodies of several particles; empty: there is
+  /// none.
+  static std::string rigid_bodies(const LAMMPS_NS::Modify& modify);
 
   /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
   cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[0] + 3 * i); }

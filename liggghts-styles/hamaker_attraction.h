@@ -8,6 +8,7 @@
 
 #include "advice/known_materials.h"
 #include "advice/stiffness_scaling.h"
+#include "cohesion_defaults.h"
 #include "contact/adhesion.h"
 #include "contact_range.h"
 #include "contact_solver/contact_solver.h"
@@ -24,7 +25,7 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Of the cohesion model hamaker: hamaker/law.h with the form of small gaps.
-class HamakerAttraction {
+class HamakerAttraction : public CohesionDefaults {
  public:
   static constexpr const char* MODEL = "hamaker";
   static constexpr bool BINDS_WHAT_ENTERED = false;
@@ -51,10 +52,6 @@ class HamakerAttraction {
     // Where rounding could decide, force() does.
     const double reach = near.radsum + outer_cutoff_;
     return near.rsq > reach * reach * (1.0 + 1e-12);
-  }
-  static constexpr bool is_idle(const ContactModels::SurfacesCloseData&) { return false; }
-  static constexpr bool is_idle_in_contact(const ContactModels::SurfacesCloseData&) {
-    return false;
   }
 
   bool binds(int itype, int jtype, double, double, double gap, const double*) const {

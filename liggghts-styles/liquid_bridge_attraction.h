@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "advice/stiffness_scaling.h"
+#include "cohesion_defaults.h"
 #include "contact_range.h"
 #include "contact_solver/liquid_bridge_solver.h"
 #include "encounter.h"
@@ -19,7 +19,7 @@ namespace Cohesion {
 
 /// Of the cohesion model liquid_bridge (liquid_bridge/parameters.h). Whether a contact has its
 /// bridge goes with the engine's contact history through exchange and restart.
-class LiquidBridgeAttraction {
+class LiquidBridgeAttraction : public CohesionDefaults {
  public:
   static constexpr const char* MODEL = "liquid_bridge";
   static constexpr bool BINDS_WHAT_ENTERED = true;
@@ -27,8 +27,6 @@ class LiquidBridgeAttraction {
 
   LiquidBridgeAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                          LAMMPS_NS::FixWallGran* wall);
-
-  void registerSettings(Settings&) {}
 
   /// Reads fix property/global bridgeForce and bridgeRuptureGap (peratomtypepair). A parameter that
   /// cannot be right stops the engine with the types and the values given.
@@ -41,10 +39,6 @@ class LiquidBridgeAttraction {
   bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool) const {
     return !near.mesh && near.contact_history[offset_ + BRIDGED] == 0.0;
   }
-  static constexpr bool is_idle(const ContactModels::SurfacesCloseData&) { return false; }
-  static constexpr bool is_idle_in_contact(const ContactModels::SurfacesCloseData&) {
-    return false;
-  }
 
   /// While the pair has its bridge.
   bool binds(int, int, double, double, double gap, const double* history) const {
@@ -54,9 +48,6 @@ class LiquidBridgeAttraction {
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
     return adhesion_of(laws_.of(itype, jtype), ri, std::isfinite(rj) ? rj : 0.0);
   }
-  /// The spring has no part in it.
-  static cohesion::advice::Material material(int, int) { return {}; }
-  static std::string doubt(int, int) { return ""; }
 
   double force(const Encounter& encounter);
   /// Zero at touch.

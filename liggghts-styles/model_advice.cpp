@@ -128,8 +128,14 @@ bool ContactWatch::due(bool setup) {
 }
 
 ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
-                             const NormalModelProbe& normal, Adhesion adhesion)
-    : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
+                             const NormalModelProbe& normal, Adhesion adhesion,
+                             ContactLaw contact_law)
+    : lmp_(lmp),
+      wall_(wall),
+      model_(model),
+      normal_(normal),
+      adhesion_(std::move(adhesion)),
+      contact_law_(std::move(contact_law)) {}
 
 std::string ContactAdvice::wall() const { return wall_ ? wall_->id : ""; }
 
@@ -189,10 +195,15 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
   c.springs = normal_.springs(pair);
   // Told where the impact goes: not every dashpot of the engine changes with the overlap as
   // power_law_spring.h has it.
-  if (c.springs.exponent != 1.0)
+  if (c.springs.exponent != 1.0) {
     c.springs =
         normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
                                                       advice::touching_speed(run, c)));
+    const cohesion::contact::NormalLaw law =
+        contact_law_(c.springs.hertz(c.reduced_mass()), itype, jtype, c.i.radius, c.j.radius);
+    if (const auto* const jkr = std::get_if<cohesion::contact::JkrSpringDashpot>(&law))
+      c.springs.jkr = *jkr;
+  }
   const bool slides = has("tangential", "history") || has("tangential", "no_history");
   if (!slides || coefficient("coeffFrict", itype, jtype) == 0.0)
     c.springs.tangential_stiffness = c.springs.tangential_damping = 0.0;

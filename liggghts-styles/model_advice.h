@@ -52,7 +52,7 @@ class ContactAdvice {
 
   /// model: who speaks; wall: null for pairs; adhesion: of two, or of one beside the wall.
   ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,
-                const NormalModelProbe& normal, Adhesion adhesion);
+                const NormalModelProbe& normal, Adhesion adhesion, ContactLaw contact_law);
 
   /// What there is to say, but for which walls; stands in their place.
   cohesion::advice::Report report(const cohesion::advice::Circumstances& now);
@@ -79,6 +79,7 @@ class ContactAdvice {
   std::string model_;
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
+  ContactLaw contact_law_;
   bool exact_ = false;
   cohesion::advice::GivenAdvice given_advice_;
 };

@@ -19,6 +19,11 @@ struct SurfacesIntersectData;
 
 namespace Cohesion {
 
+/// The normal law of scheme exact between two types, made of the engine's; rj infinite: beside a
+/// wall.
+using ContactLaw = std::function<cohesion::contact::NormalLaw(
+    const cohesion::contact::NormalLaw& normal, int itype, int jtype, double ri, double rj)>;
+
 /// A normal model of the engine beside the one that a contact model has, with the same settings and
 /// properties: asked about a contact that is not there, it tells spring and dashpot. What they are
 /// stays a matter of the engine.

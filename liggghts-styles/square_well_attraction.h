@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "advice/stiffness_scaling.h"
+#include "cohesion_defaults.h"
 #include "contact_range.h"
 #include "contact_solver/contact_state.h"
 #include "contact_solver/square_well_solver.h"
@@ -30,7 +30,7 @@ struct LateWarning;
 /// Of the cohesion model square_well: sampled_contact/sampled_well.h, the impulse at the edge
 /// spread over the step. What it remembers of each contact goes with the engine's contact history
 /// through exchange and restart.
-class SquareWellAttraction {
+class SquareWellAttraction : public CohesionDefaults {
  public:
   static constexpr const char* MODEL = "square_well";
   static constexpr bool BINDS_WHAT_ENTERED = true;
@@ -38,8 +38,6 @@ class SquareWellAttraction {
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);
-
-  void registerSettings(Settings&) {}
 
   /// Reads fix property/global wellDepth (peratomtypepair) and wellRatio (peratomtype). A parameter
   /// that cannot be right stops the engine with the types and the values given.
@@ -76,9 +74,6 @@ class SquareWellAttraction {
     return cohesion::square_well::adhesion_of(wells_.of(itype, jtype).well, ri,
                                               std::isfinite(rj) ? rj : 0.0);
   }
-  /// The spring has no part in it.
-  static cohesion::advice::Material material(int, int) { return {}; }
-  static std::string doubt(int, int) { return ""; }
 
   double force(const Encounter& encounter);
   double energy(int itype, int jtype, double, double, double, bool inside) const {

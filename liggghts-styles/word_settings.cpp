@@ -6,7 +6,9 @@
 #include <map>
 
 #include "contact_models.h"
+#include "error.h"
 #include "former_words.h"
+#include "liggghts_api.h"
 #include "named_table.h"
 #include "settings.h"
 
@@ -17,24 +19,28 @@ namespace {
 
 class SchemeSetting : public Setting {
  public:
-  SchemeSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, bool& exact)
-      : Setting("scheme", 1), lmp_(lmp), model_(model), exact_(exact) {}
+  SchemeSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, SchemeChoice& choice)
+      : Setting("scheme", 1), lmp_(lmp), model_(model), choice_(choice) {}
 
   /// Number of words taken; -1 with an error_message.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
     const std::string scheme = LAMMPS_NS::current_word(lmp_, model_, name, args[1]);
-    exact_ = scheme == "exact";
-    if (exact_ || scheme == "sampled") return 2;
+    if (scheme == "exact" || scheme == "sampled") {
+      choice_ = scheme == "exact" ? SchemeChoice::exact : SchemeChoice::sampled;
+      return 2;
+    }
     error_message = model_ + ", scheme " + scheme + ": must be exact or sampled";
     return -1;
   }
-  void print_value(FILE* out) override { fprintf(out, exact_ ? "exact" : "sampled"); }
+  void print_value(FILE* out) override {
+    fprintf(out, choice_ == SchemeChoice::sampled ? "sampled" : "exact");
+  }
 
  private:
   const LAMMPS_NS::LAMMPS* lmp_;
   std::string model_;
-  bool& exact_;
+  SchemeChoice& choice_;
 };
 
 /// A word that stands where only keywords may, and says where these belong: the engine would blame
@@ -99,11 +105,29 @@ template struct TableOfSettings<&Settings::settings>;
 }  // namespace
 
 void register_scheme(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
-                     bool& exact) {
-  table_of(settings)["scheme"] = new SchemeSetting(lmp, model, exact);  // settings owns it
+                     SchemeChoice& choice) {
+  table_of(settings)["scheme"] = new SchemeSetting(lmp, model, choice);  // settings owns it
   for (const char* const word :
        {"primitive", "mesh", "model", "tangential", "cohesion", "rolling_friction", "surface"})
     table_of(settings)[word] = new MisplacedSetting(model, word);
+}
+
+SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
+                       const LAMMPS_NS::FixWallGran* wall, SchemeChoice specified,
+                       const std::string& obstacle, bool has_sampled) {
+  const auto print = [&](const std::string& line) {
+    LAMMPS_NS::engine_api::tell(lmp, model + ": " + line + "\n");
+  };
+  if (obstacle.empty()) {
+    if (specified == SchemeChoice::none && !wall)
+      print(has_sampled ? "scheme exact by default; 'scheme sampled' evaluates forces once a step"
+                        : "scheme exact");
+    return SchemeChoice::exact;
+  }
+  if (specified == SchemeChoice::exact || !has_sampled)
+    lmp->error->all(FLERR, (model + ", scheme exact: " + obstacle).c_str());
+  print("scheme sampled by default: " + obstacle);
+  return SchemeChoice::sampled;
 }
 
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {

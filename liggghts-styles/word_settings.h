@@ -9,17 +9,28 @@
 class Settings;
 
 namespace LAMMPS_NS {
+class FixWallGran;
 class LAMMPS;
-}
+}  // namespace LAMMPS_NS
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
+/// What a script specifies with the keyword `scheme`.
+enum class SchemeChoice { none, exact, sampled };
+
 /// Adds the keyword `scheme`, exact or sampled, to the settings of a cohesion model, as pair_style
-/// gran/hamaker and gran/square_well of the LAMMPS package have it. model: who asks; exact: what
-/// was chosen. `settings` must not outlive it.
+/// gran/hamaker and gran/square_well of the LAMMPS package have it. model: who asks. `settings`
+/// must not outlive `choice`.
 void register_scheme(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
-                     bool& exact);
+                     SchemeChoice& choice);
+
+/// The scheme of a contact model, by what was specified and, if not empty, by an obstacle to scheme
+/// exact: an error where exact was specified or scheme sampled does not exist, else sampled. What
+/// is chosen without a keyword is printed; wall: null for pairs.
+SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
+                       const LAMMPS_NS::FixWallGran* wall, SchemeChoice specified,
+                       const std::string& obstacle, bool has_sampled);
 
 /// Adds the keyword `material_keep`, whose value goes to `keep`. `settings` must not outlive it.
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep);

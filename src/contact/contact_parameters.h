@@ -41,11 +41,11 @@ inline void set_hertz(ContactParameters& p, double youngs_modulus, double poisso
   p.tangential_ratio = 2.0 * (1.0 - poissons_ratio) / (2.0 - poissons_ratio);
 }
 
-/// Sets the work of adhesion of two surfaces of this energy [energy/length^2], w = 2 gamma. Throws
+/// Sets the work of adhesion of two surfaces of this energy [energy/length^2]. Throws
 /// InvalidParameter unless gamma > 0.
 inline void set_surface_energy(ContactParameters& p, double gamma) {
   require_positive("surface energy gamma", gamma);
-  p.work_of_adhesion = 2.0 * gamma;
+  p.work_of_adhesion = work_of_adhesion(gamma);
 }
 
 /// Throws InvalidParameter unless K > 0, or E* > 0 without K and eta, 0 <= e <= 1 and the rest is
@@ -101,11 +101,10 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
 inline NormalLaw normal_law(const ContactParameters& p, double reduced_radius,
                             double reduced_mass) {
   if (!p.is_hertz()) return normal_contact(p, reduced_mass);
-  if (p.work_of_adhesion > 0.0)
-    return JkrSpringDashpot(p.modulus, reduced_radius, p.work_of_adhesion, p.restitution,
-                            reduced_mass);
-  return HertzSpringDashpot::from_restitution(p.modulus, reduced_radius, p.restitution,
-                                              reduced_mass);
+  const auto hertz =
+      HertzSpringDashpot::from_restitution(p.modulus, reduced_radius, p.restitution, reduced_mass);
+  if (p.work_of_adhesion > 0.0) return JkrSpringDashpot(hertz, reduced_radius, p.work_of_adhesion);
+  return hertz;
 }
 
 /// The tangential contact that belongs to a normal one.

@@ -49,7 +49,14 @@ class HertzSpringDashpot {
   }
 
   double coefficient() const { return coefficient_; }
+  /// E* [force/length^2] of a contact with this R* [length].
+  double reduced_modulus(double reduced_radius) const {
+    return 0.75 * coefficient_ / std::sqrt(reduced_radius);
+  }
   double reduced_mass() const { return reduced_mass_; }
+  /// c over its power of the overlap.
+  double damping() const { return damping_; }
+  Damping power() const { return power_; }
   bool is_damped() const { return damping_ > 0.0; }
 
   /// As JkrSpringDashpot has them: contacts end at touch, and nothing adheres.

@@ -5,10 +5,18 @@
 #include <cmath>
 
 #include "constants.h"
+#include "contact/hertz_spring_dashpot.h"
 #include "contact/law_point.h"
 #include "validation.h"
 
 namespace cohesion::contact {
+
+/// The work of adhesion of two surfaces of this energy gamma, w = 2 gamma [energy/length^2]. Throws
+/// InvalidParameter where gamma < 0.
+inline double work_of_adhesion(double surface_energy) {
+  require_non_negative("surface energy gamma", surface_energy);
+  return 2.0 * surface_energy;
+}
 
 /// The contact of Johnson, Kendall and Roberts with a dashpot, acting on the reduced mass mu of a
 /// pair. With the work of adhesion w, the radius a of contact and the overlap x:
@@ -28,28 +36,24 @@ namespace cohesion::contact {
 /// Thornton, Z. Ning, Powder Technol. 99 (1998) 154.
 class JkrSpringDashpot {
  public:
-  /// E* [force/length^2], R* [length], w [energy/length^2], restitution of the contact without
-  /// adhesion, mu [mass]. Throws InvalidParameter unless all are positive and 0 <= e <= 1.
-  JkrSpringDashpot(double reduced_modulus, double reduced_radius, double work_of_adhesion,
-                   double restitution, double reduced_mass)
-      : modulus_(reduced_modulus),
+  /// hertz: the contact without adhesion, with constant restitution; R* [length], w
+  /// [energy/length^2]. Throws InvalidParameter unless R* and w are positive, and where the dashpot
+  /// is another.
+  JkrSpringDashpot(const HertzSpringDashpot& hertz, double reduced_radius, double work_of_adhesion)
+      : modulus_(hertz.reduced_modulus(reduced_radius)),
         radius_(reduced_radius),
         work_of_adhesion_(work_of_adhesion),
-        reduced_mass_(reduced_mass) {
-    require_positive("reduced Young's modulus", reduced_modulus);
+        reduced_mass_(hertz.reduced_mass()) {
     require_positive("reduced radius", reduced_radius);
     require_positive("work of adhesion", work_of_adhesion);
-    require_positive("reduced mass", reduced_mass);
-    require(std::isfinite(restitution) && restitution >= 0.0 && restitution <= 1.0, "restitution e",
-            restitution, "must lie between 0 and 1");
-    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / reduced_modulus);
+    if (hertz.is_damped() && hertz.power() != HertzSpringDashpot::Damping::fourth_root)
+      throw InvalidParameter("JKR's contact needs Hertz's dashpot of constant restitution");
+    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / modulus_);
     scale_ = std::cbrt(neck_ * reduced_radius);
     inverse_cube_ = reduced_radius / std::pow(scale_, 4.0);
-    lowest_ = -tearing_gap(reduced_modulus, reduced_radius, work_of_adhesion);
-    stiffness_ = 4.0 * reduced_modulus / (3.0 * reduced_radius);
-    const double lost = restitution > 0.0 ? -std::log(restitution) : 0.0;
-    const double part = restitution > 0.0 ? lost / std::hypot(pi, lost) : 1.0;
-    damping_ = std::sqrt(5.0 * reduced_mass * stiffness_ * reduced_radius) * part;
+    lowest_ = -tearing_gap(modulus_, reduced_radius, work_of_adhesion);
+    stiffness_ = 4.0 * modulus_ / (3.0 * reduced_radius);
+    damping_ = hertz.damping() / std::sqrt(std::sqrt(reduced_radius));
   }
 
   /// The largest pull that a contact bears, (3/2) pi w R* [force].

@@ -36,6 +36,12 @@ inline LawPoint point_of(const NormalLaw& law, double overlap) {
 /// stretch.
 inline double stretch_left(double before, double now) { return now > before ? before / now : 1.0; }
 
+/// The overlap at which a contact ends, [length]; below 0: where a neck tears.
+inline double lowest_overlap(const NormalLaw& law) {
+  const auto* const jkr = std::get_if<JkrSpringDashpot>(&law);
+  return jkr ? jkr->lowest_overlap() : 0.0;
+}
+
 inline double reduced_mass(const NormalLaw& law) {
   return std::visit([](const auto& l) { return l.reduced_mass(); }, law);
 }

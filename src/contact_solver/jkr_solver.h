@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <variant>
-
 #include "contact_solver/contact_solver.h"
 
 namespace cohesion::contact_solver {
@@ -12,13 +10,12 @@ namespace cohesion::contact_solver {
 /// it stores where it tears, is lost.
 class JkrSolver final : public ContactSolver {
  public:
-  /// law: a JkrSpringDashpot; the attraction is its own. contact_distance [length]: of the centres
-  /// at touch, or the radius beside a wall; step [time].
+  /// law: Hertz's, or JKR's with an attraction of its own. contact_distance [length]: of the
+  /// centres at touch, or the radius beside a wall; step [time].
   JkrSolver(const contact::NormalLaw& law, const contact::Adhesion& /*attraction*/,
             double contact_distance, double step)
-      : ContactSolver(law, {}, contact_distance, step,
-                      -std::get<contact::JkrSpringDashpot>(law).lowest_overlap(), 0.0),
-        touch_energy_(std::get<contact::JkrSpringDashpot>(law).touch_energy()) {}
+      : ContactSolver(law, {}, contact_distance, step, -contact::lowest_overlap(law), 0.0),
+        touch_energy_(contact::point_of(law, 0.0).energy) {}
 
   /// All of it is the spring's, [energy].
   double adhesion_energy(double /*overlap*/) const override { return 0.0; }

@@ -28,7 +28,7 @@ WAYS = {
         "cohesion hamaker *sampled*": ("liggghts+", scenes.LIGGGHTS_HAMAKER),
         "cohesion hamaker *exact*": ("liggghts+", scenes.LIGGGHTS_EXACT),
         "cohesion square_well *sampled*": (
-            "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties())),
+            "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well scheme sampled", scenes.well_properties())),
         "cohesion square_well *exact*": (
             "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well scheme exact", scenes.well_properties())),
     },

@@ -44,6 +44,7 @@ def cohesion(scheme, style, keywords, nothing):
 EXACT, SAMPLED = ours(cohesion=hamaker()), ours(scheme="sampled", cohesion=hamaker())
 EVERY_STEP = "fix out all ave/time 1 10 10 c_out[*] mode vector file out.txt\n"
 LIGGGHTS_HAMAKER = LIGGGHTS_CONTACT + " cohesion hamaker"
+SAMPLED_WORDS = " scheme sampled"
 LIGGGHTS_PAIR = scenes.LIGGGHTS_HAMAKER
 
 
@@ -96,20 +97,20 @@ LAMMPS = {
 LIGGGHTS = {
     "launcher, no model used; without: stock": (
         Case("liggghts", gran()), Case("liggghts+", gran()), None),
-    "cohesion hamaker; without: stock": (
+    "cohesion hamaker *sampled*; without: stock": (
         Case("liggghts", gran()),
-        Case("liggghts+", gran(LIGGGHTS_HAMAKER, scenes.hamaker_properties(0.0))),
+        Case("liggghts+", gran(LIGGGHTS_HAMAKER + SAMPLED_WORDS, scenes.hamaker_properties(0.0))),
         Case("liggghts+", LIGGGHTS_PAIR)),
-    "cohesion square_well; without: stock": (
+    "cohesion square_well *sampled*; without: stock": (
         Case("liggghts", gran()),
-        Case("liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties(0.0))),
-        Case("liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties()))),
+        Case("liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well" + SAMPLED_WORDS, scenes.well_properties(0.0))),
+        Case("liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well" + SAMPLED_WORDS, scenes.well_properties()))),
     "cohesion sjkr of the engine": (
         Case("liggghts", gran()), None,
         Case("liggghts", gran(LIGGGHTS_CONTACT + " cohesion sjkr", scenes.SJKR_PROPERTIES))),
-    "rolling epsd2 of the engine, with cohesion hamaker": (
+    "rolling epsd2 of the engine, with cohesion hamaker *sampled*": (
         Case("liggghts+", LIGGGHTS_PAIR), None,
-        Case("liggghts+", gran(LIGGGHTS_HAMAKER + " rolling_friction epsd2", scenes.hamaker_properties()))),
+        Case("liggghts+", gran(LIGGGHTS_HAMAKER + " rolling_friction epsd2" + SAMPLED_WORDS, scenes.hamaker_properties()))),
     **{f"energy tally, *{scheme}*": tuple(Case("liggghts+", pair, extra) for extra in (
         "", "compute out all gran/energy\nuncompute out\n", "compute out all gran/energy\n"))
        for scheme, pair in (("exact", scenes.LIGGGHTS_EXACT), ("sampled", LIGGGHTS_PAIR))},

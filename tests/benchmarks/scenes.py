@@ -142,7 +142,7 @@ def well_properties(depth=DEPTH):
 
 
 SJKR_PROPERTIES = "fix k all property/global cohesionEnergyDensity peratomtypepair 1 1e4\n"
-LIGGGHTS_HAMAKER = gran(LIGGGHTS_CONTACT + " cohesion hamaker", hamaker_properties())
+LIGGGHTS_HAMAKER = gran(LIGGGHTS_CONTACT + " cohesion hamaker scheme sampled", hamaker_properties())
 LIGGGHTS_EXACT = gran(LIGGGHTS_CONTACT + " cohesion hamaker scheme exact", hamaker_properties())
 
 # --- what growth and scaling compare -----------------------------------------------------------

@@ -130,7 +130,7 @@ class BadInput(unittest.TestCase):
         self.refused(two, "there is no 'model nonsense'", **{**PAIR, "model": "nonsense"})
         self.refused(two, "there is no 'tangential nonsense'", "off, history, no_history", **{**PAIR, "tangential": "nonsense"})
         self.refused(two.replace("cohesion hamaker", "cohesion hamakr"), "there is no 'cohesion hamakr'",
-                     "cohesion hamaker, liquid_bridge, square_well", **PAIR)
+                     "cohesion hamaker, jkr, liquid_bridge, square_well", **PAIR)
         wall = (SCENES / "in.sphere_and_wall").read_text()
         i = wall.index("cohesion hamaker", wall.index("wall/gran"))
         self.refused(wall[:i] + wall[i:].replace("cohesion hamaker", "cohesion hamaker rolling_friction nonsense", 1),

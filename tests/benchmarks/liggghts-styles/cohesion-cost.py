@@ -26,9 +26,9 @@ COHESION = {
     "none": ("", ""),
     "sjkr": (" cohesion sjkr", "fix k all property/global cohesionEnergyDensity peratomtypepair 2 "
              "1e4 1e4 1e4 1e4\n"),
-    "hamaker": (" cohesion hamaker", hamaker(1e-14)),
-    "square_well": (" cohesion square_well", square_well(1e-11, ratio=1.02)),
-    "liquid_bridge": (" cohesion liquid_bridge", liquid_bridge(1e-6, 2e-5))}
+    "hamaker": (" cohesion hamaker scheme sampled", hamaker(1e-14)),
+    "square_well": (" cohesion square_well scheme sampled", square_well(1e-11, ratio=1.02)),
+    "liquid_bridge": (" cohesion liquid_bridge scheme sampled", liquid_bridge(1e-6, 2e-5))}
 SCRIPT = """units si
 atom_style granular
 atom_modify map array

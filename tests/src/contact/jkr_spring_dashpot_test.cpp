@@ -12,7 +12,8 @@ namespace cohesion::contact {
 namespace {
 
 constexpr double modulus = 5e7, radius = 2.5e-4, work = 0.1, mass = 7e-7;
-const JkrSpringDashpot law(modulus, radius, work, 0.9, mass);
+const auto hertz = HertzSpringDashpot::from_restitution(modulus, radius, 0.9, mass);
+const JkrSpringDashpot law(hertz, radius, work);
 
 /// From the radius of contact a.
 double overlap(double a) { return a * a / radius - std::sqrt(2.0 * pi * work * a / modulus); }
@@ -64,7 +65,7 @@ TEST(JkrSpringDashpot, PartingTakesTheWorkOfThornton) {
 }
 
 TEST(JkrSpringDashpot, WithoutAdhesionItIsHertz) {
-  const JkrSpringDashpot weak(modulus, radius, 1e-14, 0.9, mass);
+  const JkrSpringDashpot weak(hertz, radius, 1e-14);
   const auto hertz = HertzSpringDashpot::from_restitution(modulus, radius, 0.9, mass);
   for (const double x : {1e-7, 1e-6}) {
     EXPECT_NEAR(weak.at(x).force, hertz.at(x).force, 1e-6 * hertz.at(x).force);

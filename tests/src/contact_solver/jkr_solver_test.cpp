@@ -19,7 +19,11 @@ struct Pair {
 
   double mass() const { return 0.5 * 2650.0 * sphere_volume(0.5 * diameter); }
   double radius() const { return 0.25 * diameter; }
-  contact::JkrSpringDashpot law() const { return {modulus, radius(), work, restitution, mass()}; }
+  contact::JkrSpringDashpot law() const {
+    const auto hertz =
+        contact::HertzSpringDashpot::from_restitution(modulus, radius(), restitution, mass());
+    return {hertz, radius(), work};
+  }
 };
 
 /// Radius of contact by bisection of the formula alone, and what follows from it.

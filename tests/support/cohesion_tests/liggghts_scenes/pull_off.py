@@ -25,8 +25,15 @@ class Grain(slow_ramp.Grain):
     def properties(self):
         constants = {"kn": self.stiffness, "kt": self.stiffness, "gamman_abs": self.damping, "gammat_abs": 0.0,
                      "coefficientFriction": 0.5}
-        return "".join(f"fix {name} all property/global {name} peratomtypepair 2 {value!r} {value!r} {value!r} {value!r}\n"
-                       for name, value in constants.items())
+        return self.hamaker() + "".join(
+            f"fix {name} all property/global {name} peratomtypepair 2 {value!r} {value!r} {value!r} {value!r}\n"
+            for name, value in constants.items())
+
+    @staticmethod
+    def hamaker():
+        return (f"fix A all property/global hamakerConstant peratomtypepair 2 {A} {3 * A!r} {3 * A!r} {A}\n"
+                f"fix cut all property/global hamakerSurfaceCutoff scalar {CUT}\n"
+                f"fix out all property/global hamakerOuterCutoff scalar {OUT}\n")
 
     def script(self, division, scheme, pulled_by):
         """division: steps per contact; pulled_by: addforce, gravity, or wall: a plate of triangles below, which attracts
@@ -65,10 +72,7 @@ class Grain(slow_ramp.Grain):
             f"communicate single vel yes\nregion box block 0 {2 * side!r} 0 {2 * side!r} 0 {2.5 * side!r} units box\n"
             f"create_box 2 box\nneighbor {d / 2!r} bin\nneigh_modify delay 0\n"
             + self.properties()
-            + f"fix A all property/global hamakerConstant peratomtypepair 2 {A} {3 * A!r} {3 * A!r} {A}\n"
-            f"fix cut all property/global hamakerSurfaceCutoff scalar {CUT}\n"
-            f"fix out all property/global hamakerOuterCutoff scalar {OUT}\n"
-            f"pair_style gran {models} {keywords}\npair_coeff * *\n"
+            + f"pair_style gran {models} {keywords}\npair_coeff * *\n"
             f"create_atoms 1 single {side!r} {side!r} {height:.17g} units box\n"
             + (f"create_atoms 1 single {side!r} {side!r} {2 * side!r} units box\n" if self.partner == "pair" else "")
             + f"set group all diameter {d!r} density {DENSITY}\ngroup first id 1\ngroup second id 2\n"
@@ -87,7 +91,7 @@ class Grain(slow_ramp.Grain):
         run = Run(self.script(division, scheme, pulled_by), inputs=inputs)
         if run.code:
             raise AssertionError(run.output[-3000:])
-        opened = self.overlap_at_rest + CUT  # since the start
+        opened = self.overlap_at_rest + self.opens_by  # since the start
         before = 0.0
         for line in run.output.splitlines():
             words = line.split()
@@ -96,6 +100,14 @@ class Grain(slow_ramp.Grain):
                     return before if pulled_by == "wall" else float(words[2])
                 before = float(words[2])
         return math.inf
+
+
+def hertz_properties(grain):
+    e = grain.restitution
+    return (f"fix E all property/global youngsModulus peratomtype {grain.modulus!r} {grain.modulus!r}\n"
+            "fix nu all property/global poissonsRatio peratomtype 0.25 0.25\n"
+            f"fix e all property/global coefficientRestitution peratomtypepair 2 {e!r} {e!r} {e!r} {e!r}\n"
+            "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n")
 
 
 class HertzGrain(Grain, slow_ramp.HertzGrain):
@@ -109,8 +121,20 @@ class HertzGrain(Grain, slow_ramp.HertzGrain):
         slow_ramp.HertzGrain.__init__(self, modulus, *words, **partner)
 
     def properties(self):
-        e = self.restitution
-        return (f"fix E all property/global youngsModulus peratomtype {self.modulus!r} {self.modulus!r}\n"
-                "fix nu all property/global poissonsRatio peratomtype 0.25 0.25\n"
-                f"fix e all property/global coefficientRestitution peratomtypepair 2 {e!r} {e!r} {e!r} {e!r}\n"
-                "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n")
+        return self.hamaker() + hertz_properties(self)
+
+
+class JkrGrain(Grain, slow_ramp.JkrGrain):
+    """The same with cohesion jkr: E [Pa], nu 0.25, surface energy [J/m2]."""
+
+    models = "model hertz tangential off cohesion jkr"
+    keywords = "tangential_damping off"
+
+    def __init__(self, modulus, surface_energy, *words, **partner):
+        self.modulus, self.gamma = modulus, surface_energy
+        slow_ramp.JkrGrain.__init__(self, modulus, surface_energy, *words, **partner)
+
+    def properties(self):
+        g = self.gamma
+        return (hertz_properties(self)
+                + f"fix gamma all property/global surfaceEnergy peratomtypepair 2 {g!r} {3 * g!r} {3 * g!r} {g!r}\n")

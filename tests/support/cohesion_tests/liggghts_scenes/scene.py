@@ -5,6 +5,7 @@ Spheres of 1 mm and 2650 kg/m^3 of type 1 unless said otherwise; walls are of ty
 """
 
 import math
+import re
 
 from cohesion_tests.liggghts import Run
 
@@ -65,6 +66,11 @@ def square_well(depth, wall=None, ratio=RATIO):
             + f"fix ratio all property/global wellRatio peratomtype {2 * (repr(float(ratio)) + ' ')}\n")
 
 
+def surface_energy(energy):
+    """The properties of cohesion jkr."""
+    return _matrix("surfaceEnergy", energy, energy)
+
+
 def liquid_bridge(force, gap):
     """The properties of cohesion liquid_bridge; beside a wall twice the force."""
     return _matrix("bridgeForce", force, 2 * force) + _matrix("bridgeRuptureGap", gap, gap)
@@ -74,10 +80,16 @@ def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):
     return dict(place=place, velocity=velocity, spin=spin, radius=radius)
 
 
+def with_scheme(models):
+    """These models with scheme sampled, unless they name a scheme or have no cohesion of this package."""
+    needs_one = re.search(r"cohesion (hamaker|square_well|liquid_bridge)", models) and " scheme " not in models
+    return models + " scheme sampled" if needs_one else models
+
+
 def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, skin=1e-4,
            boundary="f f f", box="-0.01 0.01 -0.01 0.01 -0.01 0.01", dump="out.txt",
            run=None, extra="", contacts=contact(), dimension=3, columns=tuple(COLUMNS)):
-    """models: what follows `pair_style gran` and `fix wall/gran`; walls: what follows the models
+    """models: what follows `pair_style gran`, see with_scheme, and `fix wall/gran`; walls: what follows the models
     there, or whole lines for what a wall needs; run: in place of `run steps`; box: with the tilts
     xy, xz, yz behind its sides it is tilted."""
     shape = "prism" if len(box.split()) == 9 else "block"
@@ -89,7 +101,7 @@ def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, 
         text += " vx {:.17g} vy {:.17g} vz {:.17g}".format(*s["velocity"])
         text += " omegax {:.17g} omegay {:.17g} omegaz {:.17g}\n".format(*s["spin"])
     text += contacts + properties
-    text += f"pair_style gran {models}\npair_coeff * *\n"
+    text += f"pair_style gran {with_scheme(models)}\npair_coeff * *\n"
     for number, wall in enumerate(walls):
         text += wall + "\n" if wall.startswith("fix ") else (
             f"fix wall{number} all wall/gran {models} {wall}\n")

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "jkr_attraction.h"
+
+#include <mpi.h>
+// The engine's header of properties wants mpi.h before it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <variant>
+
+#include "contact/contact_parameters.h"
+#include "error.h"
+#include "global_properties.h"
+#include "property_registry.h"
+#include "sphere.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+namespace {
+
+constexpr const char* asked_for_by = "cohesion model jkr";
+constexpr const char* energy_property = "surfaceEnergy";
+
+MatrixProperty* make_energy(PropertyRegistry& registry, const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, energy_property, caller);
+}
+
+/// rj infinite: beside a wall.
+double reduced_radius(double ri, double rj) {
+  return std::isfinite(rj) ? cohesion::reduced_radius(ri, rj) : ri;
+}
+
+}  // namespace
+
+void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& normal) {
+  if (normal.name() != "hertz")
+    lmp_->error->all(FLERR, ("cohesion model jkr: needs 'model hertz', whose elasticity and "
+                             "restitution its contact has; model " +
+                             normal.name() + " was given")
+                                .c_str());
+  registry.registerProperty(energy_property, &make_energy);
+  double** energy = registry.getMatrixProperty(energy_property, asked_for_by)->data;
+  const double largest = registry.max_radius();
+  longest_neck_ = 0.0;
+  works_of_adhesion_.fill(
+      lmp_, MODEL, registry.max_type(),
+      [&](int i, int j) { return cohesion::contact::work_of_adhesion(energy[i][j]); },
+      [&](int i, int j) { return shown(energy_property, energy[i][j]); });
+  for (int i = 1; i <= registry.max_type(); i++)
+    for (int j = 1; j <= registry.max_type(); j++) {
+      const double partner = is_wall_ ? std::numeric_limits<double>::infinity() : largest;
+      const auto hertz = normal.law({i, j, largest, largest, 1.0, 0.0, is_wall_});
+      const auto law = contact_law(hertz, i, j, largest, partner);
+      longest_neck_ = std::max(longest_neck_, -cohesion::contact::lowest_overlap(law));
+    }
+}
+
+ContactRange JkrAttraction::range() const {
+  ContactRange range;
+  range.gap = longest_neck_;
+  range.source = "the gap at which necks tear";
+  return range;
+}
+
+cohesion::contact::Adhesion JkrAttraction::adhesion(int itype, int jtype, double ri,
+                                                    double rj) const {
+  cohesion::contact::Adhesion pull;
+  pull.force = cohesion::contact::JkrSpringDashpot::pull_off_force(
+      reduced_radius(ri, rj), works_of_adhesion_.of(itype, jtype));
+  pull.forms_at_touch = true;
+  return pull;
+}
+
+cohesion::contact::NormalLaw JkrAttraction::contact_law(const cohesion::contact::NormalLaw& hertz,
+                                                        int itype, int jtype, double ri,
+                                                        double rj) const {
+  const double work = works_of_adhesion_.of(itype, jtype);
+  if (work == 0.0) return hertz;
+  return cohesion::contact::JkrSpringDashpot(std::get<cohesion::contact::HertzSpringDashpot>(hertz),
+                                             reduced_radius(ri, rj), work);
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
