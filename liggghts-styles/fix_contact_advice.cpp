@@ -154,7 +154,8 @@ void FixContactAdvice::warn_of_mixed_schemes() {
     warned_of_mixed_schemes_ = true;
     const std::string name = "fix " + wall->wall() + " wall/gran";
     const std::string mixed =
-        LAMMPS_NS::mixed_schemes(name, "pair_style gran", wall->is_exact(), "sampled");
+        LAMMPS_NS::mixed_schemes(name, "pair_style gran", wall->is_exact(),
+                                 "a wall without the keyword has that of the pairs");
     if (comm->me == 0) error->warning(FLERR, mixed.c_str());
   }
 }

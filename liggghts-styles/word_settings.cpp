@@ -120,7 +120,7 @@ SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
   };
   if (obstacle.empty()) {
     if (specified == SchemeChoice::none && !wall)
-      print(has_sampled ? "scheme exact by default; 'scheme sampled' evaluates forces once a step"
+      print(has_sampled ? "scheme exact by default ('scheme sampled' up to version 0.2)"
                         : "scheme exact");
     return SchemeChoice::exact;
   }

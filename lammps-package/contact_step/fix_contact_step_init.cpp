@@ -131,7 +131,8 @@ void FixContactStep::warn_of_mixed_schemes() {
         }))
       continue;
     warned_of_mixed_schemes = true;
-    const std::string mixed = mixed_schemes(wall->name(), (*pairs)->name(), exact, "exact");
+    const std::string mixed =
+        mixed_schemes(wall->name(), (*pairs)->name(), exact, "exact where the keyword is missing");
     if (comm->me == 0) error->warning(FLERR, mixed);
   }
 }

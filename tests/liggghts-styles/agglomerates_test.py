@@ -195,7 +195,7 @@ class Refusals(unittest.TestCase):
         self.stops(scene(x, more="sizes 1"), "sizes 1", "2 or more")
         self.stops(scene(x, more="gap 1"), "gap 1", "sizes M")
         self.stops(scene(x, models="model hooke tangential off", properties=""),
-                   "no pair_style says which pairs are bound", "cohesion models hamaker, liquid_bridge, square_well")
+                   "no pair_style says which pairs are bound", "cohesion models hamaker, jkr, liquid_bridge, square_well")
 
 
 if __name__ == "__main__":

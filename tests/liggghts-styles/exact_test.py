@@ -302,6 +302,61 @@ class Friction(unittest.TestCase):
                             self.assertAlmostEqual(found, right, delta=room)
 
 
+class Default(unittest.TestCase):
+    """The scheme of contacts without the keyword."""
+
+    BY_DEFAULT = "cohesion model hamaker: scheme exact by default ('scheme sampled' up to version 0.2)"
+    PLANE = "primitive type 2 zplane -0.009"
+
+    def output(self, keywords="", before="", run="run 1\nrun 1\n", extra="", wall_keywords=""):
+        """Of two spheres above a plate, without the keyword where `keywords` do not have it."""
+        text = script([sphere((0, 0, 0)), sphere((2e-3, 0, 0))], models(), hamaker(1e-19, cut=CUT, out=OUT),
+                      walls=[f"fix plate all wall/gran {models()} {self.PLANE}{wall_keywords}"], dt=1e-7, run=run, extra=extra)
+        run = Run(text.replace(models() + " scheme sampled", models() + keywords))
+        self.assertEqual(run.code, 0, run.output[-3000:])
+        return run.output
+
+    def test_is_exact_and_a_wall_has_that_of_the_pairs(self):
+        output = self.output()
+        self.assertEqual(output.count(self.BY_DEFAULT), 1, output)
+        self.assertIn("cohesion model hamaker, scheme exact: what to expect", output)
+        self.assertIn("cohesion model hamaker, fix wall/gran plate, scheme exact: what to expect", output)
+        self.assertNotIn("sampled:", output)
+
+    def test_a_wall_beside_sampled_pairs_is_sampled(self):
+        output = self.output(" scheme sampled")
+        self.assertNotIn("by default", output)
+        self.assertIn("cohesion model hamaker, fix wall/gran plate, scheme sampled: what to expect", output)
+
+    def test_is_sampled_where_exact_is_impossible(self):
+        for keywords, reason in ((" limitForce on", "cuts the force off where the dashpot pulls (limitForce)"),):
+            with self.subTest(keywords):
+                output = self.output(keywords, wall_keywords=keywords)
+                self.assertEqual(output.count("cohesion model hamaker: scheme sampled by default: "), 1, output)
+                self.assertIn(reason, output)
+                self.assertIn("cohesion model hamaker, scheme sampled: what to expect", output)
+                self.assertIn("cohesion model hamaker, fix wall/gran plate, scheme sampled: what to expect", output)
+
+    def test_is_the_motion_of_the_keyword(self):
+        # Two that fly against each other: the same digits as with the keyword.
+        ends = []
+        for keyword in ("", " scheme exact"):
+            spheres = [sphere((0, 0, 0), (0.05, 0, 0)), sphere((2 * RADIUS + 2e-6, 0, 0), (-0.05, 0, 0))]
+            words = models() + " absolute_damping on tangential_damping off"
+            text = script(spheres, words, hamaker(1e-18, cut=CUT, out=OUT), dt=CONTACT_TIME / 10, steps=30, every=30)
+            ends.append(Run(text.replace(" scheme sampled", keyword)).frames("out.txt")[-1])
+        self.assertEqual(*ends)
+
+    def test_a_restart_file_has_no_keywords(self):
+        text = script([sphere((0, 0, 0))], models(), hamaker(1e-19, cut=CUT, out=OUT), run="run 1\nwrite_restart at.restart\n")
+        start = text.index("region" if "region" in text else "create_box")
+        again = text[:start] + "read_restart at.restart\n" + hamaker(1e-19, cut=CUT, out=OUT) + contact() + (
+            "fix move all nve/sphere\ntimestep 1e-6\nrun 1\n")
+        run = Run(text.replace(" scheme sampled", "") + "clear\n" + again)
+        self.assertEqual(run.code, 0, run.output[-3000:])
+        self.assertIn("scheme sampled by default: a restart file stores no keywords of contact models", run.output)
+
+
 class Input(unittest.TestCase):
     def refused(self, models, *messages, extra="", walls=(), end=""):
         with self.subTest(messages[0]):

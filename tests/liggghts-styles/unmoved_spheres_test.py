@@ -10,7 +10,7 @@ LAWS = {"hamaker": hamaker(0), "square_well": square_well(0), "liquid_bridge": l
 SCHEMES = ("", " scheme exact")
 RUN = "run 1\nrun 1\n"
 UNMOVED = "no fix integrates the motion of any particle"
-MIXED = "give both the same scheme (sampled where the keyword is missing)"
+MIXED = "give both the same scheme (a wall without the keyword has that of the pairs)"
 PLANE = "primitive type 2 zplane -5e-3"
 
 
@@ -47,7 +47,7 @@ class SetUp(unittest.TestCase):
 
     def test_wall_of_another_scheme(self):
         for law in LAWS:
-            wall = f"fix floor all wall/gran {models(law)} {PLANE}"
+            wall = f"fix floor all wall/gran {models(law)} {PLANE} scheme sampled"
             with self.subTest(law):
                 output = self.printed(text(law, " scheme exact", walls=[wall]))
                 self.assertEqual(output.count(MIXED), 1, output)
@@ -57,7 +57,8 @@ class SetUp(unittest.TestCase):
     def test_wall_of_the_same_scheme(self):
         wall = f"fix floor all wall/gran {models('hamaker')} {PLANE}"
         for scheme in SCHEMES:
-            self.assertNotIn(MIXED, self.printed(text("hamaker", scheme, walls=[wall + scheme])))
+            for of_wall in ("", scheme):
+                self.assertNotIn(MIXED, self.printed(text("hamaker", scheme, walls=[wall + of_wall])))
 
 
 if __name__ == "__main__":
