@@ -100,23 +100,27 @@ class JkrSpringDashpot {
   /// 4^(-1/3): sqrt(a) where they tear apart, over scale_.
   static constexpr double tearing = 0.6299605249474366;
 
-  /// The root q >= 4^(-1/3) of q^4 - q = x, sqrt(a) and the overlap in units of scale_: by Newton's
-  /// method from above, where the curve is convex, so that it cannot miss.
+  /// The root q >= 4^(-1/3) of q^4 - q = x, sqrt(a) and the overlap in units of scale_, to
+  /// rounding: a first guess good to 2.1e-6 and two steps of Newton's method with one slope.
   static double root_of_radius(double x) {
     constexpr double lowest = -0.4724703937105774;  // -3 4^(-4/3)
     const double above = x - lowest;
     if (!(above > 0.0)) return tearing;
-    // The curve is at least its tangent parabola at the lowest point, and q^4 beyond it.
-    constexpr double curvature = 2.381101577952299;  // 6 q^2 there
-    double q = tearing + std::sqrt(above / curvature);
-    if (x > 1.0) q = std::min(q, std::sqrt(std::sqrt(2.3 * x)));
-    for (int k = 0; k < 20; k++) {
-      const double cube = q * q * q;
-      const double step = (q * (cube - 1.0) - x) / (4.0 * cube - 1.0);
-      q -= step;
-      if (std::abs(step) < 1e-8 * q) break;  // the next step would be below rounding
-    }
+    double q = x < 35.0 ? root_near_tearing(std::sqrt(above)) : root_far_from_tearing(x);
+    const double inverse_slope = 1.0 / (4.0 * q * q * q - 1.0);
+    for (int k = 0; k < 2; k++) q -= (q * (q * q * q - 1.0) - x) * inverse_slope;
     return std::max(q, tearing);
+  }
+  /// A rational function fitted for 0 <= t <= 6, t^2 the overlap from tearing on.
+  static double root_near_tearing(double t) {
+    return (tearing +
+            t * (1.2392675677806708 + t * (0.4897877074016311 + t * 0.03200248780744569))) /
+           (1.0 + t * (0.9385588148048291 + t * (0.1641813021361082 + t * 0.0027391763801528912)));
+  }
+  /// Three terms of the series for large x.
+  static double root_far_from_tearing(double x) {
+    const double s = std::sqrt(std::sqrt(x)), inverse = 1.0 / s;
+    return s + inverse * inverse * (0.25 - 0.03125 * inverse * inverse * inverse);
   }
 
   double modulus_;

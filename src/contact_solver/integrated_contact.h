@@ -233,22 +233,24 @@ class IntegratedContact {
             step_ * 0.5 * (before.damping + here.at.damping) * (s1 + v * v0 + s0) / 3.0;
       return;
     }
-    const contact::LawPoint middle = law_.at(0.5 * (x + x0));
+    // Halfway, energy and C are those of the cubics through both ends.
+    const double eighth = 0.125 * (x - x0);
     const double square_middle =
-        0.5 * (s0 + s1) + inverse_mass_ * (here.at.energy + before.energy - 2.0 * middle.energy);
+        0.5 * (s0 + s1) + 2.0 * eighth * inverse_mass_ * (here.at.force - before.force);
     const double v_middle =
         square_middle > 0.0 ? std::copysign(std::sqrt(square_middle), v) : 0.5 * (v + v0);
+    const double c0 = before.damping_integral, c1 = here.at.damping_integral;
+    const double c_middle = 0.5 * (c0 + c1) + eighth * (before.damping - here.at.damping);
     // Exact for a constant c and acceleration; one leg and two of them, extrapolated.
-    const double one = leg(before, here.at, v0, v);
-    const double two = leg(before, middle, v0, v_middle) + leg(middle, here.at, v_middle, v);
+    const double one = leg(c1 - c0, v0, v);
+    const double two = leg(c_middle - c0, v0, v_middle) + leg(c1 - c_middle, v_middle, v);
     here.dissipated = std::max((4.0 * two - one) / 3.0, 0.0);
   }
-  static double leg(const contact::LawPoint& from, const contact::LawPoint& to, double v0,
-                    double v1) {
+  /// The work of the dashpot while C changes by `change` [momentum] and the rate from v0 to v1.
+  static double leg(double change, double v0, double v1) {
     const double a = std::abs(v0), b = std::abs(v1);
     if (a + b == 0.0) return 0.0;
-    return std::abs(to.damping_integral - from.damping_integral) * (2.0 / 3.0) *
-           (a * a + a * b + b * b) / (a + b);
+    return std::abs(change) * (2.0 / 3.0) * (a * a + a * b + b * b) / (a + b);
   }
 
   /// Whether a contact, at a rate of approach and acceleration, is certain to last for the step,
