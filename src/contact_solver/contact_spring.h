@@ -35,7 +35,7 @@ class ContactSpring {
   /// Whether there is any friction.
   bool is_present() const { return constant_.is_present(); }
   bool stiffens() const { return stiffens_; }
-  /// Of one that does not stiffen.
+  /// Of one that does not stiffen; step, mass and friction are those of any.
   const DiscreteSpring& constant() const { return constant_; }
   /// Of any at this overlap [length].
   DiscreteSpring at(double overlap) const {
@@ -43,9 +43,10 @@ class ContactSpring {
     return DiscreteSpring::at_time_level(parameters(contact::point_of(law_, overlap)), step_,
                                          inverse_mass_);
   }
-  /// Of one that stiffens, at this point of the law.
-  DiscreteSpring at(const contact::LawPoint& here) const {
-    return DiscreteSpring::at_time_level(parameters(here), step_, inverse_mass_);
+  /// The constants of one that stiffens, at this point of the law.
+  GridSpring constants_at(const contact::LawPoint& here) const {
+    const contact::TangentialParameters p = parameters(here);
+    return constant_.constants_at_time_level(p.stiffness, p.damping);
   }
   /// What is left of a stretch from one overlap [length] to another.
   double left_of_stretch(double before, double now) const {

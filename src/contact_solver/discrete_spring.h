@@ -32,8 +32,13 @@ class DiscreteSpring {
   /// Verlet's scheme has them, and need no closed form.
   static DiscreteSpring at_time_level(const contact::TangentialParameters& p, double step,
                                       double inverse_mass) {
-    const double part = 1.0 / (1.0 + 0.5 * p.damping * step * inverse_mass);
-    return {p, {part * p.stiffness, part * p.damping}, step, inverse_mass};
+    return {p, constants_at_time_level(p.stiffness, p.damping, step, inverse_mass), step,
+            inverse_mass};
+  }
+
+  /// The constants of such a spring, for advance_persistent() of one of the same step and mass.
+  GridSpring constants_at_time_level(double stiffness, double damping) const {
+    return constants_at_time_level(stiffness, damping, step_, inverse_mass_);
   }
 
   /// Impulse at the time level of a persistent contact. `rate` [length/time]: staggered velocity of
@@ -44,26 +49,16 @@ class DiscreteSpring {
                                                     const Vector3& rate, double repulsion,
                                                     bool persisted, State& state,
                                                     bool& slips) const {
-    const Vector3 turned = plane.turned_into(state.stretch);
-    const Vector3 stretched = turned + step_ * rate;
-    // A resolved step has slipped already, and does not stretch by the whole rate.
-    const Vector3 before = persisted ? turned : stretched;
-    Vector3 s = stretched;
-    Vector3 force =
-        persisted ? sticking_force(constants_, s, rate)
-                  : sticking_force(ends_.first, s, rate + (0.5 * inverse_mass_) * state.impulse);
-    const double limit = friction_ * std::max(repulsion, 0.0);
-    const double square = dot(force, force);
-    slips = square > limit * limit;
-    if (slips) {  // spring and dashpot stretch as far as they carry the Coulomb force
-      force = (limit / std::sqrt(square)) * force;
-      const double drag = constants_.damping / step_;
-      if (persisted && constants_.stiffness + drag > 0.0)
-        s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
-    }
-    const Vector3 impulse = persisted ? step_ * force : 0.5 * (state.impulse + step_ * force);
-    state = {s, impulse};
-    return impulse;
+    return advance_persistent(plane, rate, repulsion, persisted, constants_, ends_.first, state,
+                              slips);
+  }
+  /// The same of a contact that was persistent in the last step and has other constants now.
+  [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
+                                                    const Vector3& rate, double repulsion,
+                                                    const GridSpring& constants,
+                                                    State& state) const {
+    bool slips;
+    return advance_persistent(plane, rate, repulsion, true, constants, constants, state, slips);
   }
 
   /// [energy]
@@ -128,6 +123,40 @@ class DiscreteSpring {
         friction_(p.friction),
         step_(step),
         inverse_mass_(inverse_mass) {}
+
+  static GridSpring constants_at_time_level(double stiffness, double damping, double step,
+                                            double inverse_mass) {
+    const double part = 1.0 / (1.0 + 0.5 * damping * step * inverse_mass);
+    return {part * stiffness, part * damping};
+  }
+
+  /// first: of the first step of a persistent contact.
+  [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
+                                                    const Vector3& rate, double repulsion,
+                                                    bool persisted, const GridSpring& constants,
+                                                    const GridSpring& first, State& state,
+                                                    bool& slips) const {
+    const Vector3 turned = plane.turned_into(state.stretch);
+    const Vector3 stretched = turned + step_ * rate;
+    // A resolved step has slipped already, and does not stretch by the whole rate.
+    const Vector3 before = persisted ? turned : stretched;
+    Vector3 s = stretched;
+    Vector3 force = persisted
+                        ? sticking_force(constants, s, rate)
+                        : sticking_force(first, s, rate + (0.5 * inverse_mass_) * state.impulse);
+    const double limit = friction_ * std::max(repulsion, 0.0);
+    const double square = dot(force, force);
+    slips = square > limit * limit;
+    if (slips) {  // spring and dashpot stretch as far as they carry the Coulomb force
+      force = (limit / std::sqrt(square)) * force;
+      const double drag = constants.damping / step_;
+      if (persisted && constants.stiffness + drag > 0.0)
+        s = (1.0 / (constants.stiffness + drag)) * (drag * before - force);
+    }
+    const Vector3 impulse = persisted ? step_ * force : 0.5 * (state.impulse + step_ * force);
+    state = {s, impulse};
+    return impulse;
+  }
 
   static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
     return -spring.stiffness * s - spring.damping * rate;

@@ -284,9 +284,9 @@ class ExactContact {
                                                     double overlap, double* values,
                                                     const ContactState& normal) const {
     DiscreteSpring::State state{vector(values), vector(values + 3)};
-    bool slips;
     Vector3 impulse;
     if (linear || !spring.stiffens()) {
+      bool slips;
       impulse = spring.constant().advance_persistent(touch.plane(), rate, does.repulsion, true,
                                                      state, slips);
     } else {
@@ -295,8 +295,8 @@ class ExactContact {
                               ? contact::stretch_left(before, does.at.radius_stiffness)
                               : spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap);
       state.stretch = left * state.stretch;
-      impulse = spring.at(does.at).advance_persistent(touch.plane(), rate, does.repulsion, true,
-                                                      state, slips);
+      impulse = spring.constant().advance_persistent(touch.plane(), rate, does.repulsion,
+                                                     spring.constants_at(does.at), state);
     }
     ContactHistory::store(state, values);
     return impulse;
