@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time of a step of scheme exact over that of LAMMPS' gran/hooke/history, or of gran/hertz/history for the laws hertz
-(with a Hamaker attraction) and jkr, on the same spheres.
+"""Time of a step of scheme exact over that of LAMMPS' gran/hooke/history, of gran/hertz/history for the laws hertz (with
+a Hamaker attraction) and jkr, or with --law jkr --granular of LAMMPS' own jkr, on the same spheres.
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
-                   [--law hamaker | liquid_bridge | square_well | hertz | jkr] [--ratio RATIO]
+                   [--law hamaker | liquid_bridge | square_well | hertz | jkr] [--ratio RATIO] [--granular]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
@@ -33,9 +33,14 @@ def main():
                                     ("--scene", {"choices": SCENES, "action": "append"}),
                                     ("--law", {"choices": STRENGTHS, "default": "hamaker"}),
                                     ("--ratio", {"type": float, "default": 1.01, "help": "of the well"}),
+                                    ("--granular", {"action": "store_true", "help": "with --law jkr"}),
                                     ("--instructions", {"action": "store_true"}))
     ours, strength = STYLES[words.law], STRENGTHS[words.law]
     stock = "stock_hertz" if words.law in ("hertz", "jkr") else "stock"
+    if words.granular:
+        if words.law != "jkr":
+            raise SystemExit("--granular: LAMMPS' own jkr is compared with --law jkr only")
+        stock = "stock_jkr"
     cases = ((0.0, 0.0), (0.3, 0.0), (0.0, strength), (0.3, strength))  # friction, strength
     if words.law == "jkr":
         cases = cases[2:]
