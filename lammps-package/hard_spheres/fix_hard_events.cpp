@@ -32,27 +32,27 @@ using cohesion::vector;
 using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
-static constexpr int ORIGIN = 2;
+static constexpr int OWNER_SIZE = 2;
 // Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
 // Steps after which the clock starts anew where somebody has gone out of the box, so that places
 // keep their digits.
-static constexpr int STEPS_OF_A_CLOCK = 100;
+static constexpr int STEPS_BETWEEN_RESETS = 100;
 
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
       time_warp_(lammps, simulation_),
-      columns_(nullptr),
-      origin_(nullptr),
-      new_clock_(true),
-      place_rounding_(0.0),
-      time_of_clock_(0.0),
-      age_(0),
+      particle_data_(nullptr),
+      owners_(nullptr),
+      reset_in_next_step_(true),
+      position_tolerance_(0.0),
+      time_origin_lifetime_(0.0),
+      steps_since_reset_(0),
       farthest_squared_(0.0),
       needs_ghosts_(false),
       warned_(false) {
-  comm_forward = ORIGIN;
+  comm_forward = OWNER_SIZE;
   create_attribute = 1;
   restart_pbc = 1;
   restart_global = 1;
@@ -65,11 +65,11 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
 
 FixHardEvents::~FixHardEvents() {
   atom->delete_callback(id, Atom::GROW);
-  memory->destroy(columns_);
-  memory->destroy(origin_);
+  memory->destroy(particle_data_);
+  memory->destroy(owners_);
 }
 
-FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
+FixHardEvents* FixHardEvents::find_or_create(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
   if (modify->find_fix(ID) < 0) modify->add_fix(std::string(ID) + " all HARD_EVENTS");
   return static_cast<FixHardEvents*>(modify->fix[modify->find_fix(ID)]);
@@ -111,76 +111,77 @@ void FixHardEvents::init() {
       error->all(FLERR,
                  std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
                      fix->id + ")");
-    if (auto* walls = dynamic_cast<HardWalls*>(fix)) walls_.push_back(walls);
+    if (auto* walls = dynamic_cast<HardWallSource*>(fix)) walls_.push_back(walls);
     if (dynamic_cast<BoundPairsReader*>(fix)) needs_ghosts_ = true;
   }
   if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
   simulation_.rules = pair_->rules();
-  simulation_.alone = comm->nprocs == 1;
-  bring_home();
+  simulation_.single_process = comm->nprocs == 1;
+  wrap_far_particles();
 }
 
 /// Notes the kicks of this step, whose forces the engine clears before pre_force.
 void FixHardEvents::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++)
-    columns_[i][KICK] = kick_of(vector(atom->f[i]),
-                                mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
+    particle_data_[i][SPEED_INCREMENT] = speed_increment(
+        vector(atom->f[i]), mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
 }
 
 /// The run starts here: nothing has moved.
 void FixHardEvents::setup_pre_force(int) {
   round_positions();
   set_rules();
-  auto known = all_inside_at_edge();
-  follow_renumbering(known);
-  inside_.insert(inside_.end(), known.begin(), known.end());
-  std::sort(inside_.begin(), inside_.end());
-  start_clock(0.0);
+  auto is_known = gather_bound_pairs_at_edge();
+  apply_new_tags(is_known);
+  bound_at_edge_.insert(bound_at_edge_.end(), is_known.begin(), is_known.end());
+  std::sort(bound_at_edge_.begin(), bound_at_edge_.end());
+  reset_simulation_time(0.0);
   load_all(0.0);
-  require_distinct_places();
+  require_distinct_positions();
   set_up_events();
   warn_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
-  new_clock_ = true;
+  reset_in_next_step_ = true;
 }
 
 /// Stops at two bodies in one place, ghosts included.
-void FixHardEvents::require_distinct_places() const {
+void FixHardEvents::require_distinct_positions() const {
   std::vector<int> order(atom->nlocal + atom->nghost);
   std::iota(order.begin(), order.end(), 0);
-  const auto place = [this](int i) {
+  const auto position = [this](int i) {
     const double* const x = atom->x[i];
     return std::make_tuple(x[0], x[1], x[2]);
   };
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return place(i) < place(j); });
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return position(i) < position(j); });
   for (std::size_t n = 1; n < order.size(); n++) {
     const int i = order[n - 1], j = order[n];
-    if (place(i) == place(j) && simulation_.pairs.meet(matter_of(i), matter_of(j)))
+    if (position(i) == position(j) &&
+        simulation_.pairs.interact(body_properties(i), body_properties(j)))
       refuse_one_place(lmp, "pair_style hard/square_well", i, j);
   }
 }
 
 /// What happens between which types, as the script has it.
 void FixHardEvents::set_rules() {
-  const int kinds = atom->ntypes + 1;
-  simulation_.pairs = PairRules(kinds);
-  for (int i = 0; i < kinds; i++)
-    for (int j = i; j < kinds; j++) {
+  const int materials = atom->ntypes + 1;
+  simulation_.pairs = PairRules(materials);
+  for (int i = 0; i < materials; i++)
+    for (int j = i; j < materials; j++) {
       if (i > 0 && pair_->acts_between(i, j))
-        simulation_.pairs.set(i, j, pair_->contact_of_types(i, j));
+        simulation_.pairs.set(i, j, pair_->contact(i, j));
       else
-        simulation_.pairs.forbid(i, j);
+        simulation_.pairs.exclude(i, j);
     }
   for (int n = 0; n < neighbor->nex_type; n++)
-    simulation_.pairs.forbid(neighbor->ex1_type[n], neighbor->ex2_type[n]);
+    simulation_.pairs.exclude(neighbor->ex1_type[n], neighbor->ex2_type[n]);
   for (int n = 0; n < neighbor->nex_group; n++)
-    simulation_.pairs.forbid_groups(neighbor->ex1_bit[n], neighbor->ex2_bit[n]);
-  if (atom->nspecial) simulation_.pairs.forbid_pairs(bonded_apart());
+    simulation_.pairs.exclude_groups(neighbor->ex1_bit[n], neighbor->ex2_bit[n]);
+  if (atom->nspecial) simulation_.pairs.exclude_pairs(excluded_bonded_pairs());
 }
 
 /// Collective: the pairs between which bonds stand and of which special_bonds says that they do not
 /// act on each other, in order.
-FixHardEvents::PairsByTag FixHardEvents::bonded_apart() const {
+FixHardEvents::PairsByTag FixHardEvents::excluded_bonded_pairs() const {
   const double* const factors = special_factors(lmp, pair_);
   PairsByTag mine;
   for (int i = 0; i < atom->nlocal; i++)
@@ -189,7 +190,7 @@ FixHardEvents::PairsByTag FixHardEvents::bonded_apart() const {
         if (factors[bonds] == 0.0 && atom->tag[i] < atom->special[i][n])
           mine.push_back({atom->tag[i], atom->special[i][n]});
   std::sort(mine.begin(), mine.end());
-  return gathered(mine);
+  return gather_pairs(mine);
 }
 
 /// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for
@@ -220,12 +221,12 @@ void FixHardEvents::warn_of_overlaps() const {
 /// Does in the step of a restart file what a run does that continues from it: that begins with
 /// particles in the box and makes its list anew in its first step. So both wrap particles into the
 /// box at the same times and round alike.
-void FixHardEvents::match_restart() {
+void FixHardEvents::prepare_restart_step() {
   if (update->ntimestep != output->next_restart) return;
   wrap_into_box(atom, domain);
   round_positions();
   next_reneighbor = update->ntimestep + 1;
-  new_clock_ = true;
+  reset_in_next_step_ = true;
 }
 
 /// Rounds positions in a tilted box. A run begins there with positions that the engine has
@@ -246,7 +247,7 @@ static bool has_dynamic_groups(const Group* group) {
 /// The bits of the groups that decide which particles have events with each other or with walls.
 static int groups_of_events(const std::vector<HardWall>& walls, const Neighbor* neighbor) {
   int bits = 0;
-  for (const HardWall& wall : walls) bits |= wall.groups;
+  for (const HardWall& wall : walls) bits |= wall.group_bits;
   for (int n = 0; n < neighbor->nex_group; n++) bits |= neighbor->ex1_bit[n] | neighbor->ex2_bit[n];
   return bits;
 }
@@ -255,77 +256,77 @@ void FixHardEvents::pre_force(int) {
   const double dt = update->dt;
   const bool new_list = neighbor->ago == 0;
   farthest_squared_ = 0.0;
-  changed_.clear();
-  if (new_list) put_back_outside();
-  const bool new_clock = new_clock_ || box_is_another(dt) || clock_is_due();
-  const bool set_back = !new_clock && simulation_.end() > time_of_clock_;
-  if (new_clock) {
-    inside_ = all_inside_at_edge();
-    start_clock(dt);
+  changed_bodies_.clear();
+  if (new_list) restore_clamped_positions();
+  const bool reset = reset_in_next_step_ || box_has_changed(dt) || time_reset_is_due();
+  const bool shift_origin = !reset && simulation_.end() > time_origin_lifetime_;
+  if (reset) {
+    bound_at_edge_ = gather_bound_pairs_at_edge();
+    reset_simulation_time(dt);
     load_all(dt);
     set_up_events();
-    stored_.clear();
+    stored_versions_.clear();
     simulation_.begin_step(dt);
   } else {
-    if (new_list && (comm->nprocs > 1 || !has_the_same_bodies())) {
-      if (!keep_bodies(dt)) {
+    if (new_list && (comm->nprocs > 1 || !has_same_bodies())) {
+      if (!update_bodies(dt)) {
         set_up_events();
-        stored_.clear();
+        stored_versions_.clear();
       }
     }
-    if (set_back) simulation_.set_clock_back();
+    if (shift_origin) simulation_.shift_time_origin();
     simulation_.begin_step(dt);
     load_changes(dt);
   }
-  if (new_clock || set_back) set_time_of_clock();
-  new_clock_ = false;
+  if (reset || shift_origin) set_time_origin_lifetime();
+  reset_in_next_step_ = false;
   if (new_list) {
-    note_tags();
+    store_tags();
     displacements_.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
     for (int i = 0; i < atom->nlocal; i++)
       track_displacement(i, vector(atom->x[i]) - dt * vector(atom->v[i]), dt);
   }
-  predict_changes();
+  predict_changed_bodies();
   run_events();
   store_events();
   store_flights();
-  if (needs_ghosts_) check_list();
+  if (needs_ghosts_) check_neighbour_list();
   // A dynamic group can release a particle, or hold it, between two lists.
   if (has_dynamic_groups(group)) {
     const int groups = groups_of_events(simulation_.walls, neighbor);
     int mine = 0, all = 0;
     for (int i = 0; i < atom->nlocal && !mine; i++) {
-      const Body& before = simulation_.bodies[i];
-      Body now = matter_of(i);
-      if (((now.groups ^ before.groups) & groups) == 0) now.groups = before.groups;
-      mine = !same_matter(now, before);
+      const HardSphere& before = simulation_.bodies[i];
+      HardSphere now = body_properties(i);
+      if (((now.group_bits ^ before.group_bits) & groups) == 0) now.group_bits = before.group_bits;
+      mine = !same_properties(now, before);
     }
     MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
     if (all) next_reneighbor = update->ntimestep + 1;
   }
-  match_restart();
+  prepare_restart_step();
 }
 
 /// Collective: whether the clock has gone for long, and a particle has gone out of the box since it
 /// was started.
-bool FixHardEvents::clock_is_due() {
-  if (++age_ <= STEPS_OF_A_CLOCK) return false;
-  age_ = 0;
+bool FixHardEvents::time_reset_is_due() {
+  if (++steps_since_reset_ <= STEPS_BETWEEN_RESETS) return false;
+  steps_since_reset_ = 0;
   int mine = 0, all = 0;
-  for (int i = 0; i < atom->nlocal && !mine; i++) mine = !same(boxes_gone(i), {});
+  for (int i = 0; i < atom->nlocal && !mine; i++) mine = !same(boxes_crossed(i), {});
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
   return all;
 }
 
 /// Predicts the events of those whose flights others have changed, on all processes.
-void FixHardEvents::predict_changes() {
-  int mine[2] = {!changed_.empty(), !warned_ && totals_.elastic > 0.0}, all[2];
+void FixHardEvents::predict_changed_bodies() {
+  int mine[2] = {!changed_bodies_.empty(), !warned_ && totals_.elastic > 0.0}, all[2];
   if (comm->nprocs == 1)
     std::copy_n(mine, 2, all);
   else
     MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
-  if (all[0] && comm->nprocs > 1) time_warp_.share_changes(changed_);
-  for (const auto& changed : changed_) simulation_.predict(changed.body);
+  if (all[0] && comm->nprocs > 1) time_warp_.exchange_changes(changed_bodies_);
+  for (const auto& changed : changed_bodies_) simulation_.predict(changed.body);
   simulation_.predict_at_moving_walls();
   if (!all[1]) return;
   warned_ = true;
@@ -347,56 +348,56 @@ void FixHardEvents::run_events() {
 
 void FixHardEvents::stop_at_limit() const {
   const auto [i, j] = simulation_.overrun();
-  const Body& a = simulation_.bodies[i];
+  const HardSphere& a = simulation_.bodies[i];
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword rest or contact_time, or a larger limit",
-             simulation_.rules.limit, update->ntimestep, a.tag,
-             j < 0 ? static_cast<std::int64_t>(j) : simulation_.bodies[j].tag, a.course.events,
-             j < 0 ? 0 : simulation_.bodies[j].course.events);
+             simulation_.rules.event_limit, update->ntimestep, a.tag,
+             j < 0 ? static_cast<std::int64_t>(j) : simulation_.bodies[j].tag, a.event_state.events,
+             j < 0 ? 0 : simulation_.bodies[j].event_state.events);
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixHardEvents::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  for (int i = 0; i < n; i++) std::copy_n(origin_[list[i]], ORIGIN, buf + ORIGIN * i);
-  return ORIGIN * n;
+  for (int i = 0; i < n; i++) std::copy_n(owners_[list[i]], OWNER_SIZE, buf + OWNER_SIZE * i);
+  return OWNER_SIZE * n;
 }
 
 void FixHardEvents::unpack_forward_comm(int n, int first, double* buf) {
-  std::copy_n(buf, ORIGIN * n, origin_[first]);
+  std::copy_n(buf, OWNER_SIZE * n, owners_[first]);
 }
 
 void FixHardEvents::grow_arrays(int nmax) {
-  memory->grow(origin_, nmax, ORIGIN, "hard_events:origin");
-  memory->grow(columns_, nmax, COLUMNS, "hard_events:columns");
+  memory->grow(owners_, nmax, OWNER_SIZE, "hard_events:origin");
+  memory->grow(particle_data_, nmax, DATA_COLUMNS, "hard_events:columns");
 }
 
 void FixHardEvents::copy_arrays(int i, int j, int) {
-  std::copy_n(columns_[i], COLUMNS, columns_[j]);
+  std::copy_n(particle_data_[i], DATA_COLUMNS, particle_data_[j]);
 }
 
 /// A particle whose flight is not known yet.
 void FixHardEvents::set_arrays(int i) {
-  std::fill_n(columns_[i], COLUMNS, 0.0);
-  columns_[i][SINCE] = std::nan("");
+  std::fill_n(particle_data_[i], DATA_COLUMNS, 0.0);
+  particle_data_[i][START_TIME] = std::nan("");
 }
 
 int FixHardEvents::pack_exchange(int i, double* buf) {
-  std::copy_n(columns_[i], COLUMNS, buf);
-  return COLUMNS;
+  std::copy_n(particle_data_[i], DATA_COLUMNS, buf);
+  return DATA_COLUMNS;
 }
 
 int FixHardEvents::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, COLUMNS, columns_[i]);
-  return COLUMNS;
+  std::copy_n(buf, DATA_COLUMNS, particle_data_[i]);
+  return DATA_COLUMNS;
 }
 
 /// The pairs at the edges of their wells, by tags: of these the places do not tell whether they are
 /// inside.
 void FixHardEvents::write_restart(FILE* fp) {
-  const auto pairs = all_inside_at_edge();
+  const auto pairs = gather_bound_pairs_at_edge();
   if (comm->me != 0) return;
   const auto number = static_cast<std::int64_t>(pairs.size());
   const int bytes = static_cast<int>(sizeof(number) + pairs.size() * sizeof(pairs[0]));
@@ -408,11 +409,11 @@ void FixHardEvents::write_restart(FILE* fp) {
 void FixHardEvents::restart(char* buf) {
   std::int64_t number = 0;
   memcpy(&number, buf, sizeof(number));
-  inside_.resize(number);
-  memcpy(inside_.data(), buf + sizeof(number), number * sizeof(inside_[0]));
+  bound_at_edge_.resize(number);
+  memcpy(bound_at_edge_.data(), buf + sizeof(number), number * sizeof(bound_at_edge_[0]));
 }
 
 double FixHardEvents::memory_usage() {
-  return static_cast<double>((ORIGIN + COLUMNS) * sizeof(double)) * atom->nmax +
+  return static_cast<double>((OWNER_SIZE + DATA_COLUMNS) * sizeof(double)) * atom->nmax +
          simulation_.bytes();
 }

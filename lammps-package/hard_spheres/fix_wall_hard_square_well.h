@@ -20,7 +20,7 @@ namespace LAMMPS_NS {
 /// fix wall/hard/square_well: walls that take part in the event-driven simulation of pair_style
 /// hard/square_well. FixHardEvents runs it; this fix holds what the script says. Doc:
 /// docs/lammps-package/fix_wall_hard_square_well.md
-class FixWallHardSquareWell : public Fix, public HardWalls {
+class FixWallHardSquareWell : public Fix, public HardWallSource {
  public:
   FixWallHardSquareWell(class LAMMPS*, int, char**);
 
@@ -38,9 +38,9 @@ class FixWallHardSquareWell : public Fix, public HardWalls {
   void read(int, char**);
   const HardContact& pair_contact(int type) const;
   double ratio(int type) const;
-  cohesion::hard_sphere::Law law_of_type(int type) const;
+  cohesion::hard_sphere::ImpactLaw impact_law(int type) const;
 
-  std::string where_;  // in front of messages
+  std::string message_prefix_;  // in front of messages
   HardContact contact_;
   std::vector<cohesion::contact_solver::Wall> walls_;
   cohesion::contact_solver::WallMotion motion_;

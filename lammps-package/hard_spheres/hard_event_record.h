@@ -23,7 +23,7 @@ class HardEventRecord : protected Pointers {
   void write(const cohesion::hard_sphere::EventSimulation&);
 
  private:
-  bool wanted_;
+  bool enabled_;
   FILE* file_;
 };
 

@@ -42,23 +42,23 @@ class PairHardSquareWell : public Pair, public BoundPairs {
 
   const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
-  const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
+  const HardContact& contact(int i, int j) const { return contacts_(i, j); }
   /// Whether this style acts between two types: in pair_style hybrid not between all.
-  bool acts_between(int i, int j) const { return acts_[given_.number(i, j)]; }
+  bool acts_between(int i, int j) const { return active_[contacts_.number(i, j)]; }
   /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
   /// [length].
   double list_reach() const;
 
  private:
   void allocate();
-  void give(int i, int j, const HardContact&);
+  void set_contact(int i, int j, const HardContact&);
 
   cohesion::hard_sphere::EventRules rules_;
   std::string record_file_;
-  TypePairTable<HardContact> given_;
+  TypePairTable<HardContact> contacts_;
   std::vector<double> largest_radius_;
   class FixHardEvents* events_;
-  std::vector<bool> acts_;  // by pair of types
+  std::vector<bool> active_;  // by pair of types
 };
 
 }  // namespace LAMMPS_NS

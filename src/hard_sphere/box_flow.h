@@ -15,14 +15,14 @@ class BoxFlow {
   void set(const PeriodicBox& box, double lifetime) {
     box_ = box;
     lifetime_ = lifetime;
-    flows_ = !box.rates.zero();
-    note_gradient();
+    flows_ = !box.rates.is_zero();
+    update_gradient();
   }
 
   /// Time 0 is at the time `now` from here on.
-  void set_clock_back(double now) {
-    box_.edges = box_.at(now);
-    note_gradient();
+  void shift_time_origin(double now) {
+    box_.edges = box_.edges_at(now);
+    update_gradient();
   }
 
   const PeriodicBox& box() const { return box_; }
@@ -31,51 +31,52 @@ class BoxFlow {
   explicit operator bool() const { return flows_; }
 
   /// Where a place [length] is in the box at a time, in edges.
-  Vector3 fraction(const Vector3& place, double now) const {
-    return PeriodicBox::fraction(box_.at(now), place - box_.origin + now * velocity_of_middle());
+  Vector3 fraction(const Vector3& position, double now) const {
+    return PeriodicBox::fraction(box_.edges_at(now),
+                                 position - box_.origin + now * centre_velocity());
   }
 
   /// Where that is at time 0, [length], and its velocity, [length/time].
-  Vector3 place(const Vector3& fraction) const { return box_.origin + box_.edges * fraction; }
+  Vector3 position(const Vector3& fraction) const { return box_.origin + box_.edges * fraction; }
   Vector3 velocity(const Vector3& fraction) const {
-    return flows_ ? box_.rates * fraction - velocity_of_middle() : Vector3{};
+    return flows_ ? box_.rates * fraction - centre_velocity() : Vector3{};
   }
 
   /// The square of the least distance [length], from now on for a lifetime, of two places that flow
   /// with the box and are r apart at time 0.
-  double least_square(const Vector3& r, double now) const {
-    return flows_ ? least_square(gradient_, r, now, lifetime_) : dot(r, r);
+  double least_squared_distance(const Vector3& r, double now) const {
+    return flows_ ? least_squared_distance(gradient_, r, now, lifetime_) : dot(r, r);
   }
 
   /// Calls f(square), where square(r) is that: the simplest function that gives it in this flow,
   /// and it reads no memory, for loops over many r.
   template <class F>
-  void with_least_square(double now, const F& f) const {
+  void with_least_squared_distance(double now, const F& f) const {
     const PeriodicBox::Edges gradient = gradient_;
     const double lifetime = lifetime_;
     if (!flows_)
       f([](const Vector3& r) { return dot(r, r); });
     else if (flows_along_x_)
       f([gradient, lifetime, now](const Vector3& r) {
-        return least_square_along_x(gradient, r, now, lifetime);
+        return least_squared_distance_along_x(gradient, r, now, lifetime);
       });
     else
       f([gradient, lifetime, now](const Vector3& r) {
-        return least_square(gradient, r, now, lifetime);
+        return least_squared_distance(gradient, r, now, lifetime);
       });
   }
 
  private:
-  void note_gradient() {
+  void update_gradient() {
     gradient_ = box_.gradient();
     flows_along_x_ = gradient_.yy == 0.0 && gradient_.zz == 0.0 && gradient_.yz == 0.0;
   }
 
   /// As seen from the origin, [length/time].
-  Vector3 velocity_of_middle() const { return box_.rates * Vector3{0.5, 0.5, 0.5}; }
+  Vector3 centre_velocity() const { return box_.rates * Vector3{0.5, 0.5, 0.5}; }
 
-  static double least_square(const PeriodicBox::Edges& gradient, const Vector3& r, double now,
-                             double lifetime) {
+  static double least_squared_distance(const PeriodicBox::Edges& gradient, const Vector3& r,
+                                       double now, double lifetime) {
     constexpr double not_zero = std::numeric_limits<double>::min();
     const Vector3 u = gradient * r;
     const Vector3 first = r + now * u;
@@ -86,8 +87,8 @@ class BoxFlow {
   }
 
   /// The same where places flow along x alone.
-  static double least_square_along_x(const PeriodicBox::Edges& gradient, const Vector3& r,
-                                     double now, double lifetime) {
+  static double least_squared_distance_along_x(const PeriodicBox::Edges& gradient, const Vector3& r,
+                                               double now, double lifetime) {
     const double speed = gradient.xx * r.x + gradient.xy * r.y + gradient.xz * r.z;
     const double first = r.x + now * speed, last = first + lifetime * speed;
     const double square = first * first, other = last * last;

@@ -12,7 +12,7 @@ namespace cohesion::hard_sphere {
 /// degrees if that is less. Its size is kept, so no energy is gained or lost.
 ///
 /// outwards: unit vector to the wall.
-inline Vector3 turned_inwards(const Vector3& v, const Vector3& outwards, double least) {
+inline Vector3 turn_inwards(const Vector3& v, const Vector3& outwards, double least) {
   const double normal = -dot(outwards, v), vv = dot(v, v);
   const Vector3 along = v + normal * outwards;
   const double tangential = norm(along), wanted = std::min(least, std::sqrt(0.5 * vv));
@@ -30,11 +30,11 @@ inline Vector3 turned_inwards(const Vector3& v, const Vector3& outwards, double 
 ///
 /// v: velocity after an elastic collision [length/time]; outwards: unit vector to the wall; R:
 /// radius on which the centre meets it [length].
-inline Vector3 leaving_concave_wall(const Vector3& v, const Vector3& outwards, double R,
-                                    double least) {
+inline Vector3 velocity_off_concave_wall(const Vector3& v, const Vector3& outwards, double R,
+                                         double least) {
   const Vector3 across{v.x, v.y, 0.0};
   return Vector3{0.0, 0.0, v.z} +
-         turned_inwards(across, outwards, 0.5 * least * dot(across, across) / R);
+         turn_inwards(across, outwards, 0.5 * least * dot(across, across) / R);
 }
 
 /// The relative velocity with which a captured pair leaves the edge of its well, which is a concave
@@ -44,12 +44,12 @@ inline Vector3 leaving_concave_wall(const Vector3& v, const Vector3& outwards, d
 ///
 /// w: after the capture [length/time]; outwards: unit vector from the body to its partner;
 /// distance, edge: of the centres, [length].
-inline Vector3 leaving_edge(const Vector3& w, const Vector3& outwards, double distance, double edge,
-                            double least = 0.0) {
+inline Vector3 velocity_within_edge(const Vector3& w, const Vector3& outwards, double distance,
+                                    double edge, double least = 0.0) {
   constexpr double round_off = 1e-15;
   const double part = edge / distance;
   const double beyond = std::max((1.0 - part) * (1.0 + part), round_off);
-  return turned_inwards(w, outwards, std::max(least, norm(w) * std::sqrt(2.0 * beyond)));
+  return turn_inwards(w, outwards, std::max(least, norm(w) * std::sqrt(2.0 * beyond)));
 }
 
 }  // namespace cohesion::hard_sphere

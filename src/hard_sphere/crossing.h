@@ -21,7 +21,7 @@ namespace cohesion::hard_sphere {
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Distances of centres (of a centre to a wall) at which something happens, [length].
-struct Surfaces {
+struct SurfaceDistances {
   double core;  ///< hard core
   double edge;  ///< of the well; not above core: there is no well
   bool has_well() const { return edge > core; }
@@ -71,8 +71,8 @@ inline double time_to_leave(double b, double ww, double rr, double vv, double c)
 /// Whether a pair may meet a surface within the time `left`: a test without roots, with b, ww, rr
 /// as above; no means no. What falls needs (r^2 - S^2)/(-2 b) at least, since it gets no faster;
 /// what is inside the edge then has not crossed it before. The surfaces may be off by 1e-7 of them.
-inline bool may_meet_within(double left, double b, double ww, double rr, const Surfaces& surfaces,
-                            bool inside) {
+inline bool may_cross_within(double left, double b, double ww, double rr,
+                             const SurfaceDistances& surfaces, bool inside) {
   constexpr double room = 1.0 + 1e-6, for_long = 1e100;
   left = left < for_long ? left : for_long;
   const double inner = inside ? surfaces.core : surfaces.edge;
@@ -83,7 +83,7 @@ inline bool may_meet_within(double left, double b, double ww, double rr, const S
 
 /// The next surface that two spheres meet, with r = x_j - x_i now, w = v_j - v_i, and vv as above.
 inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv,
-                              const Surfaces& surfaces, bool inside) {
+                              const SurfaceDistances& surfaces, bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
   if (!inside && b >= 0.0) return {};
   const bool entering = !inside && surfaces.has_well();

@@ -48,36 +48,38 @@ namespace cohesion::hard_sphere {
 /// and so are energy and momentum; a turn changes the angular momentum of the pair by the fraction
 /// 1e-6 C^2 of the width over the distance.
 struct EventRules {
-  int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
+  int collapse_limit =
+      100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
-  double rest = 1.0;          ///< C of the rule of rest, [1]; 0: off
-  int limit = 100000;         ///< events of a particle in a step before the step is given up
+  double rest_factor = 1.0;   ///< C of the rule of rest, [1]; 0: off
+  int event_limit = 100000;   ///< events of a particle in a step before the step is given up
 
   /// Whether the rules against inelastic collapse make a collision elastic that a body has at
   /// `time`, with what it has done before in the step.
-  bool make_elastic(const Course& course, double time) const {
-    return (collapse > 0 && course.collisions >= collapse) ||
-           time - course.last_collision < contact_time;
+  bool is_made_elastic(const EventState& event_state, double time) const {
+    return (collapse_limit > 0 && event_state.collisions >= collapse_limit) ||
+           time - event_state.last_collision < contact_time;
   }
 
   /// G of a body, [length/time].
-  double speed_of_kick(double kick, const Course& course) const {
-    return rest * kick * std::sqrt(static_cast<double>(course.collisions));
+  double energy_adding_speed(double speed_increment, const EventState& event_state) const {
+    return rest_factor * speed_increment * std::sqrt(static_cast<double>(event_state.collisions));
   }
   /// K in a well, [length/time]. inverse_mass: 1/m; collisions: n.
-  double speed_in_well(double depth, double inverse_mass, int collisions) const {
+  double energy_limited_speed(double depth, double inverse_mass, int collisions) const {
     const double n = std::max(collisions, 1);
-    return rest * part_of_fall * std::sqrt(2.0 * depth * inverse_mass * n);
+    return rest_factor * fall_speed_fraction * std::sqrt(2.0 * depth * inverse_mass * n);
   }
   /// The speed along the line of centres with which a chord of a pair of relative speed w goes back
   /// within the edge by 1e-6 C^2 of the width of the well, [length/time].
-  double speed_at_edge(double w, const Surfaces& at) const {
-    return rest * part_of_width * w * std::sqrt(2.0 * (at.edge - at.core) / at.edge);
+  double inward_speed_at_edge(double w, const SurfaceDistances& surfaces) const {
+    return rest_factor * width_fraction_root * w *
+           std::sqrt(2.0 * (surfaces.edge - surfaces.core) / surfaces.edge);
   }
 
  private:
-  static constexpr double part_of_width = 1e-3;  // root of the part of the width, for C = 1
-  static constexpr double part_of_fall = 1e-3;   // K over the speed of a fall, for C = n = 1
+  static constexpr double width_fraction_root = 1e-3;  // root of the part of the width, for C = 1
+  static constexpr double fall_speed_fraction = 1e-3;  // K over the speed of a fall, for C = n = 1
 };
 
 }  // namespace cohesion::hard_sphere

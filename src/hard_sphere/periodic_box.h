@@ -18,7 +18,7 @@ struct PeriodicBox {
     Vector3 operator*(const Vector3& a) const {
       return {xx * a.x + xy * a.y + xz * a.z, yy * a.y + yz * a.z, zz * a.z};
     }
-    bool zero() const {
+    bool is_zero() const {
       return xx == 0.0 && yy == 0.0 && zz == 0.0 && yz == 0.0 && xz == 0.0 && xy == 0.0;
     }
   };
@@ -28,7 +28,7 @@ struct PeriodicBox {
   Edges rates;     ///< [length/time]
   std::array<bool, 3> periodic{};
 
-  Edges at(double time) const {
+  Edges edges_at(double time) const {
     const Edges &a = edges, &r = rates;
     return {a.xx + time * r.xx, a.yy + time * r.yy, a.zz + time * r.zz,
             a.yz + time * r.yz, a.xz + time * r.xz, a.xy + time * r.xy};
@@ -41,7 +41,7 @@ struct PeriodicBox {
   }
 
   /// How much the three fractions of a way of length 1 can be, [1/length].
-  static std::array<double, 3> steepness(const Edges& h) {
+  static std::array<double, 3> inverse_widths(const Edges& h) {
     const double x = 1.0 / h.xx, y = 1.0 / h.yy, z = 1.0 / h.zz;
     const double xy = -h.xy * x * y, yz = -h.yz * y * z;
     const double xz = (h.xy * h.yz * y - h.xz) * x * z;

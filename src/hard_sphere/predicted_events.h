@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "hard_sphere/body_renumbering.h"
 #include "hard_sphere/crossing.h"
-#include "hard_sphere/renumbering.h"
 
 namespace cohesion::hard_sphere {
 
@@ -23,7 +23,7 @@ struct PredictedEvent {
 /// change of the partner would ask for.
 class alignas(64) PredictedEvents {
  public:
-  void begin(double horizon) {
+  void reset(double horizon) {
     horizon_ = horizon;
     count_ = 0;
   }
@@ -34,18 +34,18 @@ class alignas(64) PredictedEvents {
   double next_time() const { return count_ > 0 ? events_[0].time : horizon_; }
 
   /// Whether all partners keep their numbers.
-  bool keep_partners(const Renumbering& to) const {
+  bool keeps_partners(const BodyRenumbering& renumbering) const {
     for (int n = 0; n < count_; n++)
-      if (events_[n].partner >= 0 && !to.keeps(events_[n].partner)) return false;
+      if (events_[n].partner >= 0 && !renumbering.is_unchanged(events_[n].partner)) return false;
     return true;
   }
 
   /// Gives partners other numbers; false: one is gone.
-  bool renumber(const Renumbering& to) {
+  bool renumber(const BodyRenumbering& renumbering) {
     for (int n = 0; n < count_; n++) {
       int& partner = events_[n].partner;
       if (partner < 0) continue;
-      partner = to.now(partner);
+      partner = renumbering.new_number(partner);
       if (partner < 0) return false;
     }
     return true;
@@ -60,29 +60,30 @@ class alignas(64) PredictedEvents {
   template <class Before>
   void add(const PredictedEvent& event, const Before& before) {
     if (event.time > horizon_) return;
-    int at = count_;
-    while (at > 0 && (event.time < events_[at - 1].time ||
-                      (event.time == events_[at - 1].time && before(event, events_[at - 1]))))
-      at--;
-    if (count_ == room) {
+    int position_in_list = count_;
+    while (position_in_list > 0 && (event.time < events_[position_in_list - 1].time ||
+                                    (event.time == events_[position_in_list - 1].time &&
+                                     before(event, events_[position_in_list - 1]))))
+      position_in_list--;
+    if (count_ == capacity) {
       // What finds no room is the horizon.
-      horizon_ = at == room ? event.time : events_[room - 1].time;
-      if (at == room) return;
+      horizon_ = position_in_list == capacity ? event.time : events_[capacity - 1].time;
+      if (position_in_list == capacity) return;
       count_--;
     } else if (event.time == horizon_) {
       return;
     }
-    for (int n = count_; n > at; n--) events_[n] = events_[n - 1];
-    events_[at] = event;
+    for (int n = count_; n > position_in_list; n--) events_[n] = events_[n - 1];
+    events_[position_in_list] = event;
     count_++;
   }
 
  private:
-  static constexpr int room = 4;
+  static constexpr int capacity = 4;
 
   double horizon_ = never;
   int count_ = 0;
-  PredictedEvent events_[room];
+  PredictedEvent events_[capacity];
 };
 
 }  // namespace cohesion::hard_sphere

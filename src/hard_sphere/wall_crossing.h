@@ -22,7 +22,8 @@ struct MovingWall {
 };
 
 /// The next surface that a centre at h over a plane, moving with dh/dt = u, meets.
-inline Crossing next_crossing_of_plane(double h, double u, const Surfaces& surfaces, bool inside) {
+inline Crossing next_crossing_of_plane(double h, double u, const SurfaceDistances& surfaces,
+                                       bool inside) {
   if (u == 0.0 || (u > 0.0 && !inside)) return {};
   if (u > 0.0) return {h >= surfaces.edge ? 0.0 : (surfaces.edge - h) / u, Surface::edge_outward};
   const bool core = inside || !surfaces.has_well();
@@ -33,7 +34,7 @@ inline Crossing next_crossing_of_plane(double h, double u, const Surfaces& surfa
 /// The same inside a cylinder of radius R, with r and w across the axis. The particle leaves the
 /// well of the wall where its distance from the axis falls to R - edge.
 inline Crossing next_crossing_of_cylinder(const Vector3& r, const Vector3& w, double radius,
-                                          const Surfaces& surfaces, bool inside) {
+                                          const SurfaceDistances& surfaces, bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
   const auto c = [&](double gap) { return rr - (radius - gap) * (radius - gap); };
   if (!inside && surfaces.has_well())
@@ -48,7 +49,7 @@ inline Crossing next_crossing_of_cylinder(const Vector3& r, const Vector3& w, do
 /// The next surface of a wall that a centre meets which is at x at the time `when` and has the
 /// velocity v.
 inline Crossing next_crossing(const MovingWall& wall, const Vector3& x, const Vector3& v,
-                              double when, const Surfaces& surfaces, bool inside) {
+                              double when, const SurfaceDistances& surfaces, bool inside) {
   if (wall.wall.shape == Wall::z_cylinder)
     return next_crossing_of_cylinder({x.x, x.y, 0.0}, {v.x, v.y, 0.0}, wall.wall.position, surfaces,
                                      inside);

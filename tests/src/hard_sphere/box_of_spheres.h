@@ -19,27 +19,27 @@ inline cohesion::hard_sphere::PeriodicBox closed_box(const cohesion::Vector3& lo
 }
 
 /// The same law between spheres, and between them and walls, with a well up to `ratio` radii.
-inline cohesion::hard_sphere::ContactParameters contact(const cohesion::hard_sphere::Law& law,
-                                                        double ratio = 1.0) {
+inline cohesion::hard_sphere::HardContactParameters contact(
+    const cohesion::hard_sphere::ImpactLaw& law, double ratio = 1.0) {
   return {law.restitution, law.friction, cohesion::square_well::well(law.depth, ratio)};
 }
 
 /// Gives a body another place and velocity at the beginning of the step, as an engine does it.
 inline void change_flight(cohesion::hard_sphere::EventSimulation& simulation, int body,
-                          const cohesion::Vector3& place, const cohesion::Vector3& velocity,
+                          const cohesion::Vector3& position, const cohesion::Vector3& velocity,
                           bool moved = false) {
-  cohesion::hard_sphere::Flight flight;
-  flight.place = place;
+  cohesion::hard_sphere::VersionedFlight flight;
+  flight.position = position;
   flight.velocity = velocity;
-  flight.since = simulation.start();
-  cohesion::hard_sphere::Course course = simulation.bodies[body].course;
-  course.causal_depth = -1;
-  simulation.change_flight(body, flight, course, moved);
+  flight.start_time = simulation.start();
+  cohesion::hard_sphere::EventState event_state = simulation.bodies[body].event_state;
+  event_state.causal_depth = -1;
+  simulation.change_flight(body, flight, event_state, moved);
 }
 
 /// A kick at the beginning of the step.
-inline void kick(cohesion::hard_sphere::EventSimulation& simulation, int body,
-                 const cohesion::Vector3& change) {
+inline void increment_velocity(cohesion::hard_sphere::EventSimulation& simulation, int body,
+                               const cohesion::Vector3& change) {
   const auto& flight = simulation.flights[body];
   change_flight(simulation, body, flight.at(simulation.start()), flight.velocity + change);
 }
@@ -49,7 +49,7 @@ inline double kinetic_energy_of(const cohesion::hard_sphere::EventSimulation& si
   for (std::size_t n = 0; n < simulation.bodies.size(); n++) {
     const auto& body = simulation.bodies[n];
     if (body.inverse_mass == 0.0) continue;
-    const auto &v = simulation.flights[n].velocity, &spin = body.course.spin;
+    const auto &v = simulation.flights[n].velocity, &spin = body.event_state.spin;
     sum += 0.5 * dot(v, v) / body.inverse_mass + 0.5 * dot(spin, spin) / body.inverse_inertia;
   }
   return sum;
@@ -63,8 +63,8 @@ inline bool same_bits(const cohesion::hard_sphere::Event& a,
          a.key.tag_i == b.key.tag_i && a.key.tag_j == b.key.tag_j &&
          a.impact.kind == b.impact.kind && a.impact.inside == b.impact.inside &&
          a.was_inside == b.was_inside && a.elastic == b.elastic &&
-         same(a.separation, b.separation) && same(a.impact.on_j, b.impact.on_j) &&
-         same(a.impact.twist, b.impact.twist);
+         same(a.separation, b.separation) && same(a.impact.impulse, b.impact.impulse) &&
+         same(a.impact.spin_impulse, b.impact.spin_impulse);
 }
 
 /// Spheres of two sizes in a box of six walls, without any engine. Of mass 1 and 2.
@@ -75,7 +75,7 @@ struct BoxOfSpheres {
   EventSimulation simulation;
   std::vector<cohesion::hard_sphere::Event> all;  // so far
 
-  explicit BoxOfSpheres(int edge, const cohesion::hard_sphere::Law& law, double ratio = 1.2,
+  explicit BoxOfSpheres(int edge, const cohesion::hard_sphere::ImpactLaw& law, double ratio = 1.2,
                         double space = 1.6) {
     using namespace cohesion::hard_sphere;
     simulation.pairs.set(0, 0, contact(law, ratio));
@@ -85,21 +85,21 @@ struct BoxOfSpheres {
       simulation.walls.push_back({{{shape, -1.0, length}, {}}, {{law, ratio}}});
     }
     for (int n = 0; n < edge * edge * edge; n++) {
-      Body body;
+      HardSphere body;
       body.tag = n + 1;
       const double mass = 1.0 + n % 2;
       body.radius = n % 2 ? 0.5 : 0.4;
       body.inverse_mass = 1.0 / mass;
       body.inverse_inertia = 1.0 / (0.4 * mass * body.radius * body.radius);
       simulation.bodies.push_back(body);
-      const auto place = [&](int i) { return space * (i + 0.5); };
-      Flight flight;
-      flight.place = {place(n % edge), place(n / edge % edge), place(n / edge / edge)};
+      const auto position = [&](int i) { return space * (i + 0.5); };
+      VersionedFlight flight;
+      flight.position = {position(n % edge), position(n / edge % edge), position(n / edge / edge)};
       flight.velocity = {std::sin(12.3 * n + 1), std::sin(7.7 * n + 2), std::sin(3.1 * n + 3)};
       simulation.flights.push_back(flight);
     }
-    simulation.neighbourhoods().bodies_of_box = static_cast<double>(simulation.bodies.size());
-    simulation.start_clock(closed_box({}, {length, length, length}));
+    simulation.neighbour_lists().bodies_in_box = static_cast<double>(simulation.bodies.size());
+    simulation.reset_time(closed_box({}, {length, length, length}));
     simulation.set_up(never, {});
   }
 
@@ -109,6 +109,6 @@ struct BoxOfSpheres {
     all.insert(all.end(), simulation.events.begin(), simulation.events.end());
   }
 
-  Vector3 place(int body) const { return simulation.flights[body].at(simulation.end()); }
+  Vector3 position(int body) const { return simulation.flights[body].at(simulation.end()); }
   double kinetic_energy() const { return kinetic_energy_of(simulation); }
 };

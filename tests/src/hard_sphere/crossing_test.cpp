@@ -17,12 +17,13 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-constexpr Surfaces well{1.0, 1.5};
-constexpr Surfaces bare{1.0, 1.0};
+constexpr SurfaceDistances well{1.0, 1.5};
+constexpr SurfaceDistances bare{1.0, 1.0};
 constexpr Vector3 still{};
 
 /// With speeds of the pair of order 1.
-Crossing next_crossing(const Vector3& r, const Vector3& w, const Surfaces& surfaces, bool inside) {
+Crossing next_crossing(const Vector3& r, const Vector3& w, const SurfaceDistances& surfaces,
+                       bool inside) {
   return cohesion::hard_sphere::next_crossing(r, w, 1.0, surfaces, inside);
 }
 
@@ -97,7 +98,7 @@ TEST(Crossing, PairComesBackWithinTheEdge) {
     for (const double speed : {0.0, 1e-12, 1e-3}) {
       const double distance = well.edge * (1.0 + beyond);
       const Vector3 r{0.0, distance, 0.0}, w{0.8, -speed, 0.6};
-      const Vector3 turned = leaving_edge(w, {0.0, 1.0, 0.0}, distance, well.edge);
+      const Vector3 turned = velocity_within_edge(w, {0.0, 1.0, 0.0}, distance, well.edge);
       EXPECT_NEAR(norm(turned), norm(w), 1e-15);
       // The nearest place of the chord.
       EXPECT_LT(norm(cross(r, turned)) / norm(turned), well.edge);
@@ -163,7 +164,7 @@ TEST(Crossing, CylinderFromInside) {
 /// graze one of them, by a fraction of it down to round-off.
 struct RandomPair {
   Vector3 r, w;
-  Surfaces surfaces;
+  SurfaceDistances surfaces;
   bool inside;
   double vv;
 
@@ -216,12 +217,12 @@ TEST(Crossing, WhatMeetsNothingHasNoCrossing) {
                             flight * (1.0 - std::pow(10.0, -16.0 * uniform(random))),
                             0.0,
                             never};
-    const Surfaces rounded{static_cast<float>(pair.surfaces.core),
-                           static_cast<float>(pair.surfaces.edge)};
+    const SurfaceDistances rounded{static_cast<float>(pair.surfaces.core),
+                                   static_cast<float>(pair.surfaces.edge)};
     crossings += crosses;
     for (const double left : times) {
-      if (may_meet_within(left, b, ww, rr, pair.surfaces, pair.inside) &&
-          may_meet_within(left, b, ww, rr, rounded, pair.inside))
+      if (may_cross_within(left, b, ww, rr, pair.surfaces, pair.inside) &&
+          may_cross_within(left, b, ww, rr, rounded, pair.inside))
         continue;
       nothing++;
       ASSERT_TRUE(next.wait > left || !crosses) << n << " b " << b << " ww " << ww << " rr " << rr;
@@ -235,9 +236,9 @@ TEST(Crossing, WhatMeetsNothingHasNoCrossing) {
 TEST(Crossing, WhatStandsMeetsNothing) {
   std::feclearexcept(FE_ALL_EXCEPT);
   for (volatile double left : {0.0, 1.0, never}) {
-    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 1.44, bare, false));
-    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 4.0, well, false));
-    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 1.44, well, true));
+    EXPECT_FALSE(may_cross_within(left, 0.0, 0.0, 1.44, bare, false));
+    EXPECT_FALSE(may_cross_within(left, 0.0, 0.0, 4.0, well, false));
+    EXPECT_FALSE(may_cross_within(left, 0.0, 0.0, 1.44, well, true));
   }
   EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
 }

@@ -31,14 +31,14 @@ template <class F>
 void for_each_image(const cohesion::hard_sphere::PeriodicBox& box, double time,
                     const cohesion::Vector3& r, int farthest, F f) {
   using cohesion::Vector3;
-  const auto h = box.at(time);
+  const auto h = box.edges_at(time);
   const Vector3 fraction = cohesion::hard_sphere::PeriodicBox::fraction(h, r);
-  const double of[] = {fraction.x, fraction.y, fraction.z};
+  const double coordinates[] = {fraction.x, fraction.y, fraction.z};
   int low[3], high[3];
   for (int k = 0; k < 3; k++) {
     low[k] = high[k] = 0;
     if (!box.periodic[k]) continue;
-    const int nearest = -static_cast<int>(std::lround(of[k]));
+    const int nearest = -static_cast<int>(std::lround(coordinates[k]));
     low[k] = nearest - farthest;
     high[k] = nearest + farthest;
   }
@@ -54,7 +54,7 @@ void for_each_image(const cohesion::hard_sphere::PeriodicBox& box, double time,
 /// sizes has its part of the volume. They are at random places where they overlap no image of each
 /// other. A sphere of diameter 1 has mass 1. Their velocities are random, but for the flow of the
 /// box, large ones as fast as small ones.
-struct Gas {
+struct GasOfSpheres {
   int count = 100;
   double least = 0.5, most = 0.5;
   double speed = 1.0;  // of each component
@@ -73,39 +73,39 @@ struct Gas {
     if (count > 1) radii[0] = most, radii[1] = least;
     std::sort(radii.rbegin(), radii.rend());
     for (const double radius : radii) {
-      Body body;
+      HardSphere body;
       body.tag = static_cast<int>(simulation.bodies.size()) + 1;
       body.radius = radius;
       body.inverse_mass = 1.0 / (8.0 * radius * radius * radius);
       body.inverse_inertia = 2.5 * body.inverse_mass / (radius * radius);
-      Flight flight;
+      VersionedFlight flight;
       Vector3 fraction;
       int tries = 0;
       do {
         if (tries++ == 100000) throw std::runtime_error("no room for another sphere");
         fraction = {uniform(random), uniform(random), uniform(random)};
-        flight.place = box.origin + box.edges * fraction;
-      } while (!is_free(simulation, box, 0.0, flight.place, radius));
+        flight.position = box.origin + box.edges * fraction;
+      } while (!is_free(simulation, box, 0.0, flight.position, radius));
       flight.velocity = speed * Vector3{normal(random), normal(random), normal(random)};
       flight.velocity += box.rates * (fraction - Vector3{0.5, 0.5, 0.5});
       simulation.bodies.push_back(body);
       simulation.flights.push_back(flight);
     }
-    simulation.neighbourhoods().bodies_of_box = count;
+    simulation.neighbour_lists().bodies_in_box = count;
   }
 
   /// Whether a sphere overlaps no other one at a place, but for body `self`, and no wall.
   static bool is_free(const cohesion::hard_sphere::EventSimulation& simulation,
                       const cohesion::hard_sphere::PeriodicBox& box, double time,
-                      const cohesion::Vector3& place, double radius, int self = -1) {
+                      const cohesion::Vector3& position, double radius, int self = -1) {
     for (const auto& wall : simulation.walls)
-      if (wall.moving.wall.nearest(place, wall.moving.at(time), 0.0).distance < radius)
+      if (wall.motion.wall.nearest(position, wall.motion.at(time), 0.0).distance < radius)
         return false;
     bool free = true;
     for (int n = 0; n < static_cast<int>(simulation.bodies.size()) && free; n++) {
       if (n == self) continue;
       const double apart = radius + simulation.bodies[n].radius;
-      for_each_image(box, time, place - simulation.flights[n].at(time), 1,
+      for_each_image(box, time, position - simulation.flights[n].at(time), 1,
                      [&](const cohesion::Vector3&, const cohesion::Vector3& r) {
                        if (dot(r, r) < apart * apart) free = false;
                      });

@@ -27,32 +27,32 @@ struct Cluster {
 
   /// `velocity`: of the place of a sphere.
   template <class Velocity>
-  Cluster(const std::vector<Vector3>& places, Velocity velocity) {
-    for (const Vector3& place : places) {
-      Body body;
+  Cluster(const std::vector<Vector3>& positions, Velocity velocity) {
+    for (const Vector3& position : positions) {
+      HardSphere body;
       body.tag = static_cast<int>(simulation.bodies.size()) + 1;
       body.radius = 0.5;
       body.inverse_mass = 1.0;
       body.inverse_inertia = 10.0;
       simulation.bodies.push_back(body);
-      Flight flight;
-      flight.place = place;
-      flight.velocity = velocity(place);
+      VersionedFlight flight;
+      flight.position = position;
+      flight.velocity = velocity(position);
       simulation.flights.push_back(flight);
     }
-    simulation.rules.collapse = 0;
+    simulation.rules.collapse_limit = 0;
   }
 
-  void start(const Law& law, double ratio) {
+  void start(const ImpactLaw& law, double ratio) {
     edge = ratio;
     simulation.pairs.set(0, 0, contact(law, ratio));
     start();
   }
   void start() {
-    simulation.neighbourhoods().bodies_of_box = static_cast<double>(simulation.bodies.size());
+    simulation.neighbour_lists().bodies_in_box = static_cast<double>(simulation.bodies.size());
     PeriodicBox box = closed_box({-50.0, -50.0, -50.0}, {50.0, 50.0, 50.0});
     box.periodic = {true, true, true};
-    simulation.start_clock(box);
+    simulation.reset_time(box);
     simulation.set_up(never, {});
   }
 
@@ -62,13 +62,13 @@ struct Cluster {
       simulation.begin_step(dt);
       simulation.run(simulation.end());
       for (const Event& event : simulation.events)
-        if (event.impact.kind == Kind::collision)
+        if (event.impact.kind == EventKind::collision)
           most_given = std::max(most_given, event.impact.energy_change);
         else
           most_beyond = std::max(most_beyond, event.distance - edge);
       for (std::size_t i = 0; i < simulation.bodies.size(); i++)
-        most_events = std::max(most_events, simulation.course_of(static_cast<int>(i)).events);
-      simulation.set_clock_back();
+        most_events = std::max(most_events, simulation.state_in_step(static_cast<int>(i)).events);
+      simulation.shift_time_origin();
     }
     return simulation.overrun().first < 0;
   }
@@ -80,30 +80,31 @@ struct Cluster {
   }
   Vector3 momentum() const {
     Vector3 sum;
-    for (const Flight& flight : simulation.flights) sum += flight.velocity;
+    for (const VersionedFlight& flight : simulation.flights) sum += flight.velocity;
     return sum;
   }
   /// About the origin.
   Vector3 angular_momentum() const {
     Vector3 sum;
     for (std::size_t n = 0; n < simulation.flights.size(); n++) {
-      const Flight& flight = simulation.flights[n];
+      const VersionedFlight& flight = simulation.flights[n];
       sum += cross(flight.at(simulation.end()), flight.velocity) +
-             (1.0 / simulation.bodies[n].inverse_inertia) * simulation.bodies[n].course.spin;
+             (1.0 / simulation.bodies[n].inverse_inertia) * simulation.bodies[n].event_state.spin;
     }
     return sum;
   }
   /// About the centre of mass.
   Vector3 angular_momentum_within() const {
-    Vector3 places;
-    for (const Flight& flight : simulation.flights) places += flight.at(simulation.end());
+    Vector3 positions;
+    for (const VersionedFlight& flight : simulation.flights)
+      positions += flight.at(simulation.end());
     return angular_momentum() -
-           cross((1.0 / static_cast<double>(simulation.flights.size())) * places, momentum());
+           cross((1.0 / static_cast<double>(simulation.flights.size())) * positions, momentum());
   }
   double spin_energy() const {
     double sum = 0.0;
-    for (const Body& body : simulation.bodies)
-      sum += 0.5 * dot(body.course.spin, body.course.spin) / body.inverse_inertia;
+    for (const HardSphere& body : simulation.bodies)
+      sum += 0.5 * dot(body.event_state.spin, body.event_state.spin) / body.inverse_inertia;
     return sum;
   }
 };
@@ -116,15 +117,15 @@ std::vector<Vector3> triangle(double ratio) {
 
 /// A sphere and the twelve around it.
 std::vector<Vector3> thirteen(double distance) {
-  std::vector<Vector3> places{{}};
+  std::vector<Vector3> positions{{}};
   const double a = distance / std::sqrt(2.0);
   for (const double x : {-a, a})
     for (const double y : {-a, a}) {
-      places.push_back({x, y, 0.0});
-      places.push_back({x, 0.0, y});
-      places.push_back({0.0, x, y});
+      positions.push_back({x, y, 0.0});
+      positions.push_back({x, 0.0, y});
+      positions.push_back({0.0, x, y});
     }
-  return places;
+  return positions;
 }
 
 /// Turns about a random axis, with a little of other motion.
@@ -156,8 +157,8 @@ TEST(RestInWells, TumblingTriplesHaveAnEndOfEvents) {
         for (const bool with_rule : {true, false}) {
           Cluster three(triangle(ratio), tumbling(seed));
           const Vector3 momentum = three.momentum(), turning = three.angular_momentum();
-          three.simulation.rules.limit = 5000;
-          if (!with_rule) three.simulation.rules.rest = 0.0;
+          three.simulation.rules.event_limit = 5000;
+          if (!with_rule) three.simulation.rules.rest_factor = 0.0;
           three.start({e, 0.0, depth}, ratio);
           const bool ends = three.run(100, 1.0);
           endless_without_rule += !ends && !with_rule;
@@ -196,7 +197,8 @@ TEST(RestInWells, SpinningClustersWithFrictionHaveAnEndOfEvents) {
   for (const double friction : {0.1, 1.0})
     for (const double e : {0.3, 1.0}) {
       Cluster many(thirteen(1.005), tumbling(7));
-      for (Body& body : many.simulation.bodies) body.course.spin = {1.0, -2.0, 0.3 * body.tag};
+      for (HardSphere& body : many.simulation.bodies)
+        body.event_state.spin = {1.0, -2.0, 0.3 * body.tag};
       const Vector3 momentum = many.momentum(), turning = many.angular_momentum();
       many.start({e, friction, depth}, 1.01);
       const double spins = many.spin_energy();
@@ -212,9 +214,9 @@ TEST(RestInWells, SphereWithoutAWellInACage) {
   for (const unsigned seed : {1, 2, 3})
     for (const bool with_rule : {true, false}) {
       Cluster cage(thirteen(1.005), tumbling(seed));
-      if (!with_rule) cage.simulation.rules.rest = 0.0;
-      cage.simulation.rules.limit = 5000;
-      cage.simulation.bodies[0].kind = 1;
+      if (!with_rule) cage.simulation.rules.rest_factor = 0.0;
+      cage.simulation.rules.event_limit = 5000;
+      cage.simulation.bodies[0].material = 1;
       cage.simulation.pairs = PairRules(2);
       cage.simulation.pairs.set(0, 0, contact({1.0, 0.0, depth}, 1.01));
       cage.simulation.pairs.set(0, 1, contact({0.5, 0.0, 0.0}));

@@ -20,14 +20,14 @@ constexpr double gravity = 1.0, dt = 0.01;
 
 /// Spheres of diameter 1 and mass 1 over a floor, y = 0, that fall along -y; walls at x = 0 and
 /// x = `width` where that is above 0.
-struct Bed {
+struct SettlingBed {
   EventSimulation simulation;
   std::map<std::pair<int, int>, double> impulse;  // of a contact in this step
   std::map<std::pair<int, int>, int> collisions;
   double taken = 0.0, given = 0.0, from_floor = 0.0, fastest = 0.0;
   int at_rest = 0, most_events = 0;
 
-  Bed(const std::vector<Vector3>& places, const Law& law, double width = 0.0) {
+  SettlingBed(const std::vector<Vector3>& positions, const ImpactLaw& law, double width = 0.0) {
     simulation.pairs.set(0, 0, contact(law));
     simulation.walls = {{{{Wall::y_plane, 1.0, 0.0}, {}}, {{law}}}};
     if (width > 0.0) {
@@ -35,26 +35,26 @@ struct Bed {
       simulation.walls.push_back({{{Wall::x_plane, -1.0, width}, {}}, {{law}}});
     }
     Vector3 high{width + 1.0, 1.0, 1.0};
-    for (const Vector3& place : places) {
-      Body body;
+    for (const Vector3& position : positions) {
+      HardSphere body;
       body.tag = static_cast<int>(simulation.bodies.size()) + 1;
       body.radius = 0.5;
       body.inverse_mass = 1.0;
       body.inverse_inertia = 10.0;
       simulation.bodies.push_back(body);
-      Flight flight;
-      flight.place = place;
+      VersionedFlight flight;
+      flight.position = position;
       simulation.flights.push_back(flight);
-      high.y = std::max(high.y, place.y + 1.0);
+      high.y = std::max(high.y, position.y + 1.0);
     }
-    simulation.neighbourhoods().bodies_of_box = static_cast<double>(places.size());
-    simulation.start_clock(closed_box({-1.0, 0.0, -1.0}, high));
+    simulation.neighbour_lists().bodies_in_box = static_cast<double>(positions.size());
+    simulation.reset_time(closed_box({-1.0, 0.0, -1.0}, high));
     simulation.set_up(never, {});
   }
 
   double height() const {
     double sum = 0.0;
-    for (const Flight& flight : simulation.flights) sum += flight.at(simulation.end()).y;
+    for (const VersionedFlight& flight : simulation.flights) sum += flight.at(simulation.end()).y;
     return sum;
   }
   double motion() const { return kinetic_energy_of(simulation); }
@@ -64,9 +64,9 @@ struct Bed {
     simulation.begin_step(dt);
     const int count = static_cast<int>(simulation.bodies.size());
     for (int n = 0; n < count; n++) {
-      Body& body = simulation.bodies[n];
-      kick(simulation, n, {0.0, -gravity * dt, 0.0});
-      body.kick = kick_of({0.0, -gravity, 0.0}, body.inverse_mass, dt);
+      HardSphere& body = simulation.bodies[n];
+      increment_velocity(simulation, n, {0.0, -gravity * dt, 0.0});
+      body.speed_increment = speed_increment({0.0, -gravity, 0.0}, body.inverse_mass, dt);
     }
     for (int n = 0; n < count; n++) simulation.predict(n);
     simulation.run(simulation.end());
@@ -76,15 +76,15 @@ struct Bed {
   void count_events() {
     impulse.clear(), collisions.clear();
     for (const Event& event : simulation.events) {
-      impulse[{event.i, event.j}] += event.impact.normal;
+      impulse[{event.i, event.j}] += event.impact.normal_impulse;
       collisions[{event.i, event.j}]++;
       taken -= event.impact.energy_change;
-      given += event.impact.given_at_rest;
-      at_rest += event.impact.given_at_rest > 0.0;
-      if (event.j == -1) from_floor += event.impact.normal;
+      given += event.impact.rest_rule_energy;
+      at_rest += event.impact.rest_rule_energy > 0.0;
+      if (event.j == -1) from_floor += event.impact.normal_impulse;
     }
     for (std::size_t n = 0; n < simulation.bodies.size(); n++) {
-      most_events = std::max(most_events, simulation.course_of(static_cast<int>(n)).events);
+      most_events = std::max(most_events, simulation.state_in_step(static_cast<int>(n)).events);
       fastest = std::max(fastest, norm(simulation.flights[n].velocity));
     }
   }
@@ -93,7 +93,8 @@ struct Bed {
   /// reduced mass of two spheres is 1/2, of one and a wall 1.
   void expect_bounded() const {
     for (const auto& [contact, number] : collisions) {
-      const double kick = simulation.rules.rest * gravity * dt * (contact.second < 0 ? 1.0 : 0.5);
+      const double kick =
+          simulation.rules.rest_factor * gravity * dt * (contact.second < 0 ? 1.0 : 0.5);
       const double most = 1.0 + std::pow(1.5 * impulse.at(contact) / kick, 2.0 / 3.0);
       EXPECT_LE(number, most * (1.0 + 1e-12));
     }
@@ -101,18 +102,18 @@ struct Bed {
 };
 
 std::vector<Vector3> column(int count, double gap) {
-  std::vector<Vector3> places;
-  for (int n = 0; n < count; n++) places.push_back({0.0, 0.5 + gap + n * (1.0 + gap), 0.0});
-  return places;
+  std::vector<Vector3> positions;
+  for (int n = 0; n < count; n++) positions.push_back({0.0, 0.5 + gap + n * (1.0 + gap), 0.0});
+  return positions;
 }
 
 /// A row that fills the width from wall to wall when it lies flat; every second sphere is raised.
 std::vector<Vector3> row_that_just_fits(int count, double raised) {
-  std::vector<Vector3> places;
+  std::vector<Vector3> positions;
   const double step = std::sqrt(1.0 - raised * raised), left = 0.5 * (count - 1) * (1.0 - step);
   for (int n = 0; n < count; n++)
-    places.push_back({0.5 + left + n * step, 0.5 + n % 2 * raised, 0.0});
-  return places;
+    positions.push_back({0.5 + left + n * step, 0.5 + n % 2 * raised, 0.0});
+  return positions;
 }
 
 // Bounces from the height h last sqrt(2 h/g) (1 + e)/(1 - e) in all. From bounce to bounce the
@@ -121,7 +122,7 @@ std::vector<Vector3> row_that_just_fits(int count, double raised) {
 // given.
 TEST(Rest, SphereBouncesToRestOnAFloor) {
   const double e = 0.5, h = 2.0, speed = gravity * dt / (1.0 - e);
-  Bed bed(column(1, h), {e, 0.0, 0.0});
+  SettlingBed bed(column(1, h), {e, 0.0, 0.0});
   const double rest = std::sqrt(2.0 * h / gravity) * (1.0 + e) / (1.0 - e);
   const int steps = static_cast<int>(std::ceil(rest / dt));
   for (int n = 0; n < steps; n++) bed.step();
@@ -139,14 +140,14 @@ TEST(Rest, SphereBouncesToRestOnAFloor) {
 
 TEST(Rest, FirstCollisionOfAStepAndElasticSpheresAreAsEver) {
   for (const double e : {0.3, 1.0}) {
-    Bed bed(column(5, 0.1), {e, 0.0, 0.0});
+    SettlingBed bed(column(5, 0.1), {e, 0.0, 0.0});
     for (int n = 0; n < 1000; n++) {
       bed.step();
       std::vector<int> seen(5, 0);
       for (const Event& event : bed.simulation.events) {
         const bool alone = event.with_wall() || seen[event.j] == 0;
         if (e == 1.0 || (seen[event.i] == 0 && alone)) {
-          EXPECT_EQ(event.impact.given_at_rest, 0.0);
+          EXPECT_EQ(event.impact.rest_rule_energy, 0.0);
         }
         seen[event.i]++;
         if (!event.with_wall()) seen[event.j]++;
@@ -157,12 +158,12 @@ TEST(Rest, FirstCollisionOfAStepAndElasticSpheresAreAsEver) {
 }
 
 TEST(Rest, WithoutForcesNothingIsGiven) {
-  Bed bed(column(5, 0.1), {0.1, 0.3, 0.0});
+  SettlingBed bed(column(5, 0.1), {0.1, 0.3, 0.0});
   bed.simulation.begin_step(2.0);
   for (int n = 0; n < 5; n++) {
-    kick(bed.simulation, n, {0.0, -1.0, 0.0});
-    Body& body = bed.simulation.bodies[n];
-    body.kick = kick_of({}, body.inverse_mass, 2.0);
+    increment_velocity(bed.simulation, n, {0.0, -1.0, 0.0});
+    HardSphere& body = bed.simulation.bodies[n];
+    body.speed_increment = speed_increment({}, body.inverse_mass, 2.0);
   }
   for (int n = 0; n < 5; n++) bed.simulation.predict(n);
   bed.simulation.run(bed.simulation.end());
@@ -174,12 +175,12 @@ TEST(Rest, WithoutForcesNothingIsGiven) {
 // Energy: what collisions take, less what the rule gives, is what motion loses, to round-off.
 TEST(Rest, ColumnsComeToRestWithAsManyCollisionsAsTheirWeightAllows) {
   for (const int count : {5, 40}) {
-    Bed bed(column(count, 0.01), {0.9, 0.0, 0.0});
-    bed.simulation.rules.collapse = 0;
+    SettlingBed bed(column(count, 0.01), {0.9, 0.0, 0.0});
+    bed.simulation.rules.collapse_limit = 0;
     for (int n = 0; n < 1000; n++) {
       const double before = bed.motion(), taken = bed.taken;
       double kicked = 0.0;  // by gravity, in this step
-      for (const Flight& flight : bed.simulation.flights)
+      for (const VersionedFlight& flight : bed.simulation.flights)
         kicked += gravity * dt * (0.5 * gravity * dt - flight.velocity.y);
       bed.step();
       bed.expect_bounded();
@@ -190,8 +191,8 @@ TEST(Rest, ColumnsComeToRestWithAsManyCollisionsAsTheirWeightAllows) {
     // The largest speed of the rule, in the collisions at the floor, which hand on the weight of
     // all, of a sphere with two contacts; and gaps that its steps leave.
     const EventRules& rules = bed.simulation.rules;
-    const double most = 1.0 + std::pow(1.5 * count / (0.5 * rules.rest), 2.0 / 3.0);
-    const double speed = rules.rest * gravity * dt * std::sqrt(2.0 * most);
+    const double most = 1.0 + std::pow(1.5 * count / (0.5 * rules.rest_factor), 2.0 / 3.0);
+    const double speed = rules.rest_factor * gravity * dt * std::sqrt(2.0 * most);
     EXPECT_LT(bed.motion(), 0.5 * count * speed * speed);
     EXPECT_LT(bed.height() - 0.5 * count * count, 0.5 * count * (count + 1) * speed * dt);
   }
@@ -205,9 +206,9 @@ TEST(Rest, RowThatJustFitsBetweenTwoWallsIsHeldUp) {
   int endless_without_rule = 0;
   for (const int count : {5, 7, 9, 12}) {
     for (const bool with_rule : {false, true}) {
-      Bed bed(row_that_just_fits(count, 0.05), {0.9, 0.3, 0.0}, count);
-      bed.simulation.rules.limit = 5000;
-      if (!with_rule) bed.simulation.rules.rest = 0.0;
+      SettlingBed bed(row_that_just_fits(count, 0.05), {0.9, 0.3, 0.0}, count);
+      bed.simulation.rules.event_limit = 5000;
+      if (!with_rule) bed.simulation.rules.rest_factor = 0.0;
       for (int n = 0; n < 1000 && bed.simulation.overrun().first < 0; n++) {
         bed.step();
         if (with_rule) bed.expect_bounded();

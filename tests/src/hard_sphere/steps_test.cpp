@@ -8,7 +8,7 @@
 
 #include "hard_sphere/event_simulation.h"
 #include "hard_sphere/gas_of_spheres.h"
-#include "hard_sphere/lists_of.h"
+#include "hard_sphere/neighbour_list_check.h"
 
 // Steps of an engine that changes flights: by forces, by walls that move, by putting bodies
 // elsewhere.
@@ -17,7 +17,7 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-const Law sticky{0.9, 0.3, 0.2};
+const ImpactLaw sticky{0.9, 0.3, 0.2};
 constexpr double dt = 0.02;
 
 /// A box of walls, of which the floor moves, with gravity and spheres that nothing moves.
@@ -40,7 +40,7 @@ struct Shaker {
   /// The floor is at 0.05 (1 - cos(2 t)), in chords.
   void move_floor() {
     EventSimulation& simulation = box.simulation;
-    MovingWall& floor = simulation.walls[2].moving;
+    MovingWall& floor = simulation.walls[2].motion;
     const auto height = [](double t) { return -0.05 * (1.0 - std::cos(2.0 * t)); };
     const double from = height(simulation.start()), to = height(simulation.end());
     floor.state = {{0.0, to, 0.0}, {0.0, (to - from) / dt, 0.0}};
@@ -51,10 +51,10 @@ struct Shaker {
     EventSimulation& simulation = box.simulation;
     const int count = static_cast<int>(simulation.bodies.size());
     for (int i = 0; i < count; i++) {
-      Body& body = simulation.bodies[i];
+      HardSphere& body = simulation.bodies[i];
       if (body.inverse_mass == 0.0) continue;
-      kick(simulation, i, {0.0, -gravity * dt, 0.0});
-      body.kick = gravity * dt;
+      increment_velocity(simulation, i, {0.0, -gravity * dt, 0.0});
+      body.speed_increment = gravity * dt;
     }
     for (int i = 0; i < count; i++)
       if (simulation.bodies[i].inverse_mass > 0.0) simulation.predict(i);
@@ -74,7 +74,7 @@ struct Shaker {
     for (const Event& event : simulation.events) {
       taken -= event.impact.energy_change;
       if (event.with_wall())
-        work -= dot(event.impact.on_j, simulation.walls[-1 - event.j].moving.state.velocity);
+        work -= dot(event.impact.impulse, simulation.walls[-1 - event.j].motion.state.velocity);
     }
     events += simulation.events.size();
   }
@@ -92,13 +92,13 @@ TEST(Steps, EnergyBalancesWithKicksWallsThatMoveAndSpheresThatNothingMoves) {
         const double rounded = static_cast<double>(shaker.events + 27 * n + 27);
         ASSERT_NEAR(shaker.box.kinetic_energy() - at_start, shaker.work - shaker.taken,
                     2e-15 * rounded);
-        ListsOf(simulation).check();
+        NeighbourListCheck(simulation).check();
         for (int i = 0; i < 27; i++)
           for (const HardWall& wall : simulation.walls)
-            EXPECT_GT(
-                wall.moving.wall.nearest(shaker.box.place(i), wall.moving.at(simulation.end()), 0.0)
-                    .distance,
-                simulation.bodies[i].radius - 1e-12);
+            EXPECT_GT(wall.motion.wall
+                          .nearest(shaker.box.position(i), wall.motion.at(simulation.end()), 0.0)
+                          .distance,
+                      simulation.bodies[i].radius - 1e-12);
       }
       EXPECT_GT(shaker.events, 500u);
       ASSERT_LT(simulation.overrun().first, 0);
@@ -108,10 +108,10 @@ TEST(Steps, EnergyBalancesWithKicksWallsThatMoveAndSpheresThatNothingMoves) {
 TEST(Steps, AWallInUniformMotionNeedsNoStep) {
   BoxOfSpheres fine(3, sticky), coarse(3, sticky);
   for (BoxOfSpheres* box : {&fine, &coarse}) {
-    box->simulation.rules.collapse = 0;
+    box->simulation.rules.collapse_limit = 0;
     HardWall& floor = box->simulation.walls[2];
     floor.moves = true;
-    floor.moving.state.velocity = {0.3, 0.05, 0.0};
+    floor.motion.state.velocity = {0.3, 0.05, 0.0};
     box->simulation.set_up(never, {});
   }
   for (int n = 0; n < 512; n++) fine.step(1.0 / 128.0);
@@ -129,7 +129,7 @@ template <class Fill>
 void expect_the_same_after_the_clock_was_set_back(const Fill& fill, double lifetime) {
   EventSimulation one, other;
   for (EventSimulation* gas : {&one, &other}) {
-    gas->rules.collapse = 0;
+    gas->rules.collapse_limit = 0;
     fill(*gas);
     gas->set_up(lifetime, {});
   }
@@ -153,10 +153,10 @@ void expect_the_same_after_the_clock_was_set_back(const Fill& fill, double lifet
       ASSERT_LT(norm(one.flights[i].at(one.end()) - other.flights[i].at(other.end())), 1e-9);
     if (n % 3 == 0) {
       set_back += other.end();
-      other.set_clock_back();
+      other.shift_time_origin();
       EXPECT_EQ(other.end(), 0.0);
     }
-    if (n % 10 == 0) ListsOf(other).check();
+    if (n % 10 == 0) NeighbourListCheck(other).check();
   }
   EXPECT_GT(events, 200u);
 }
@@ -166,8 +166,8 @@ TEST(Steps, AClockSetBackChangesNoEvent) {
       [](EventSimulation& gas) {
         gas.pairs.set(0, 0, contact(sticky, 1.4));
         const PeriodicBox box = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
-        Gas{100, 0.4, 0.6}.fill(gas, box);
-        gas.start_clock(box);
+        GasOfSpheres{100, 0.4, 0.6}.fill(gas, box);
+        gas.reset_time(box);
       },
       never);
 }
@@ -179,8 +179,8 @@ TEST(Steps, AClockSetBackChangesNoEventUnderShear) {
         PeriodicBox::Edges rates;
         rates.xy = 0.2 * 6.5;
         const PeriodicBox box = periodic_box({6.5, 6.5, 6.5}, rates);
-        Gas{100, 0.4, 0.6}.fill(gas, box);
-        gas.start_clock(box);
+        GasOfSpheres{100, 0.4, 0.6}.fill(gas, box);
+        gas.reset_time(box);
       },
       0.7);
 }
@@ -194,13 +194,13 @@ TEST(Steps, AClockSetBackKnowsWhereAWallInMotionIs) {
           rates.xy = shear * 6.0;
           PeriodicBox box = periodic_box({6.0, 6.0, 5.0}, rates);
           box.periodic[2] = false;
-          const HardWall::Rule rule{sticky, 1.4};
+          const HardWall::WallContact rule{sticky, 1.4};
           const WallState rising{{}, {0.0, 0.0, 0.3}};
           const double floor = box.origin.z;
           gas.walls.push_back({{{Wall::z_plane, 1.0, floor}, rising}, {rule}, -1, true});
           gas.walls.push_back({{{Wall::z_plane, -1.0, floor + 5.0}, {}}, {rule}});
-          Gas{60, 0.4, 0.6}.fill(gas, box);
-          gas.start_clock(box);
+          GasOfSpheres{60, 0.4, 0.6}.fill(gas, box);
+          gas.reset_time(box);
         },
         shear > 0.0 ? 0.7 : never);
 }
@@ -217,15 +217,15 @@ class Changes {
     for (int i = 0; i < count; i++) {
       const bool put = put_elsewhere_ && random_() % 20 == 0;
       if (!put && random_() % 5) continue;
-      const Flight flight = gas.flights[i];
+      const VersionedFlight flight = gas.flights[i];
       const Vector3 change{uniform(random_) - 0.5, uniform(random_) - 0.5, uniform(random_) - 0.5};
-      Vector3 place = flight.at(gas.start());
+      Vector3 position = flight.at(gas.start());
       for (bool free = !put; !free;) {
-        place =
+        position =
             box.origin + box.edges * Vector3{uniform(random_), uniform(random_), uniform(random_)};
-        free = Gas::is_free(gas, box, gas.start(), place, gas.bodies[i].radius, i);
+        free = GasOfSpheres::is_free(gas, box, gas.start(), position, gas.bodies[i].radius, i);
       }
-      change_flight(gas, i, place, flight.velocity + 0.3 * change, put);
+      change_flight(gas, i, position, flight.velocity + 0.3 * change, put);
       changed.push_back(i);
     }
     for (const int i : changed) gas.predict(i);
@@ -238,30 +238,30 @@ class Changes {
 
 /// One simulation goes on with the lists that it has; those of the other are made anew before each
 /// step. The same happens in both, to the last bit.
-void expect_the_same_as_with_new_lists(const Law& law, bool put_elsewhere) {
+void expect_the_same_as_with_new_lists(const ImpactLaw& law, bool put_elsewhere) {
   const PeriodicBox box = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
   EventSimulation one, other;
-  Changes of_one(put_elsewhere), of_other(put_elsewhere);
+  Changes changes_of_one(put_elsewhere), changes_of_other(put_elsewhere);
   for (EventSimulation* gas : {&one, &other}) {
     gas->pairs.set(0, 0, contact(law, 1.4));
-    gas->rules.collapse = 0;
-    Gas{100, 0.4, 0.6}.fill(*gas, box);
-    gas->start_clock(box);
+    gas->rules.collapse_limit = 0;
+    GasOfSpheres{100, 0.4, 0.6}.fill(*gas, box);
+    gas->reset_time(box);
     gas->set_up(never, {});
   }
   std::size_t events = 0;
   for (int n = 0; n < 200; n++) {
-    other.set_up(never, other.inside_at_edge());
+    other.set_up(never, other.bound_pairs_at_edge());
     for (EventSimulation* gas : {&one, &other}) {
       gas->begin_step(dt);
-      (gas == &one ? of_one : of_other).make(*gas, box);
+      (gas == &one ? changes_of_one : changes_of_other).make(*gas, box);
       gas->run(gas->end());
     }
     ASSERT_EQ(one.events.size(), other.events.size()) << n;
     for (std::size_t k = 0; k < one.events.size(); k++)
       ASSERT_TRUE(same_bits(one.events[k], other.events[k])) << n << ' ' << k;
     events += one.events.size();
-    if (n % 10 == 0) ListsOf(one).check();
+    if (n % 10 == 0) NeighbourListCheck(one).check();
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(events, 300u);
@@ -284,19 +284,19 @@ TEST(Steps, AWellIsLeftWithoutAnEventByABodyThatIsPutElsewhere) {
   EventSimulation simulation;
   simulation.pairs.set(0, 0, contact(sticky, 1.5));
   for (int n = 0; n < 2; n++) {
-    Body body;
+    HardSphere body;
     body.tag = n + 1;
     body.radius = 0.5;
     body.inverse_mass = 1.0;
     body.inverse_inertia = 10.0;
     simulation.bodies.push_back(body);
     simulation.flights.emplace_back();
-    simulation.flights[n].place = {1.2 * n, 0.0, 0.0};
+    simulation.flights[n].position = {1.2 * n, 0.0, 0.0};
   }
-  simulation.start_clock(closed_box({-1.0, -1.0, -1.0}, {20.0, 1.0, 1.0}));
+  simulation.reset_time(closed_box({-1.0, -1.0, -1.0}, {20.0, 1.0, 1.0}));
   simulation.set_up(never, {});
   const auto is_inside = [&](int i) {
-    const Neighbour* pair = simulation.neighbourhoods().find_neighbour(i, 1 - i, 0);
+    const Neighbour* pair = simulation.neighbour_lists().find_neighbour(i, 1 - i, 0);
     return pair && pair->inside;
   };
   EXPECT_TRUE(is_inside(0) && is_inside(1));
@@ -309,7 +309,7 @@ TEST(Steps, AWellIsLeftWithoutAnEventByABodyThatIsPutElsewhere) {
       EXPECT_EQ(is_inside(0), away == 0.0) << moved;
       EXPECT_EQ(is_inside(1), away == 0.0) << moved;
       // The other one leaves and returns: nobody is where the well was.
-      change_flight(simulation, 1 - moved, simulation.flights[1 - moved].place,
+      change_flight(simulation, 1 - moved, simulation.flights[1 - moved].position,
                     {0.0, away > 0.0 ? 0.1 : 0.0, 0.0});
       simulation.predict(1 - moved);
       simulation.run(simulation.end());

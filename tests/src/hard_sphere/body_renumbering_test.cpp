@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "hard_sphere/gas_of_spheres.h"
-#include "hard_sphere/lists_of.h"
+#include "hard_sphere/neighbour_list_check.h"
 
 namespace {
 
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-const Law sticky{0.95, 0.2, 0.2};
+const ImpactLaw sticky{0.95, 0.2, 0.2};
 
 PeriodicBox sheared_box() {
   PeriodicBox box = periodic_box({7.0, 6.0, 6.5, 0.0, 0.0, 1.4});
@@ -25,8 +25,8 @@ PeriodicBox sheared_box() {
 
 void set_up(EventSimulation& simulation) {
   simulation.pairs.set(0, 0, contact(sticky, 1.3));
-  Gas{90}.fill(simulation, sheared_box());
-  simulation.start_clock(sheared_box());
+  GasOfSpheres{90}.fill(simulation, sheared_box());
+  simulation.reset_time(sheared_box());
   simulation.set_up(1.0, {});
 }
 
@@ -46,7 +46,7 @@ TEST(Arrange, OtherNumbersAreOfNoConsequence) {
     std::vector<int> old(mixed.bodies.size());
     std::iota(old.begin(), old.end(), 0);
     std::shuffle(old.begin(), old.end(), random);
-    mixed.arrange(old);
+    mixed.renumber(old);
     step(straight);
     step(mixed);
     ASSERT_EQ(straight.events.size(), mixed.events.size());
@@ -81,12 +81,12 @@ TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
   std::mt19937 random(5);
   std::size_t events = 0;
   for (int n = 0; n < 20; n++) {
-    const std::vector<Body> bodies = changed.bodies;
-    const std::vector<Flight> flights = changed.flights;
-    const auto inside = changed.inside_at_edge();
+    const std::vector<HardSphere> bodies = changed.bodies;
+    const std::vector<VersionedFlight> flights = changed.flights;
+    const auto inside = changed.bound_pairs_at_edge();
     const std::vector<int> old = all_but(bodies.size(), 10, random);
-    changed.arrange(old);
-    ListsOf(changed).check();
+    changed.renumber(old);
+    NeighbourListCheck(changed).check();
     std::vector<int> again(old.size()), added;
     std::iota(again.begin(), again.end(), 0);
     std::vector<int> back;
@@ -96,13 +96,13 @@ TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
       added.push_back(static_cast<int>(again.size()));
       again.push_back(-1);
     }
-    changed.arrange(again);
+    changed.renumber(again);
     for (std::size_t k = 0; k < back.size(); k++) {
       changed.bodies[added[k]] = bodies[back[k]];
       changed.flights[added[k]] = flights[back[k]];
     }
-    ASSERT_TRUE(changed.take_in(added, inside));
-    ListsOf(changed).check();
+    ASSERT_TRUE(changed.add_bodies(added, inside));
+    NeighbourListCheck(changed).check();
     step(straight);
     step(changed);
     expect_same_events(straight, changed, events);
@@ -117,15 +117,15 @@ TEST(Arrange, BodiesThatGoAreGone) {
   std::mt19937 random(7);
   std::size_t events = 0;
   for (int n = 0; n < 5; n++) {
-    kept.arrange(all_but(kept.bodies.size(), 10, random));
+    kept.renumber(all_but(kept.bodies.size(), 10, random));
     EventSimulation anew;
     anew.pairs = kept.pairs;
-    anew.neighbourhoods().bodies_of_box = 90.0;
+    anew.neighbour_lists().bodies_in_box = 90.0;
     anew.bodies = kept.bodies;
     anew.flights = kept.flights;
-    anew.start_clock(sheared_box());
+    anew.reset_time(sheared_box());
     anew.begin_step(kept.end());  // to the same time
-    anew.set_up(1.0, kept.inside_at_edge());
+    anew.set_up(1.0, kept.bound_pairs_at_edge());
     for (int k = 0; k < 3; k++) {
       step(kept);
       step(anew);
@@ -142,12 +142,12 @@ TEST(Arrange, AnotherSizeIsNotTakenIn) {
   std::vector<int> old(simulation.bodies.size());
   std::iota(old.begin(), old.end(), 0);
   old.push_back(-1);
-  simulation.arrange(old);
-  Body& body = simulation.bodies.back();
+  simulation.renumber(old);
+  HardSphere& body = simulation.bodies.back();
   body = simulation.bodies.front();
   body.tag = 1000;
   body.radius = 0.7;
-  EXPECT_FALSE(simulation.take_in({static_cast<int>(old.size()) - 1}, {}));
+  EXPECT_FALSE(simulation.add_bodies({static_cast<int>(old.size()) - 1}, {}));
 }
 
 }  // namespace

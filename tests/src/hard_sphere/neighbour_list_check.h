@@ -7,17 +7,18 @@
 #include "hard_sphere/gas_of_spheres.h"
 
 /// Compares the lists of a simulation with a search through all images of all pairs.
-class ListsOf {
-  using Body = cohesion::hard_sphere::Body;
-  using Image = cohesion::hard_sphere::Image;
+class NeighbourListCheck {
+  using HardSphere = cohesion::hard_sphere::HardSphere;
+  using PeriodicImage = cohesion::hard_sphere::PeriodicImage;
   using Neighbour = cohesion::hard_sphere::Neighbour;
   using Vector3 = cohesion::Vector3;
 
  public:
   /// A distance that rounds to a surface, by the fraction `round_off`, can be on either side of it.
-  explicit ListsOf(cohesion::hard_sphere::EventSimulation& simulation, double round_off = 1e-12)
+  explicit NeighbourListCheck(cohesion::hard_sphere::EventSimulation& simulation,
+                              double round_off = 1e-12)
       : simulation_(simulation),
-        lists_(simulation.neighbourhoods()),
+        lists_(simulation.neighbour_lists()),
         now_(simulation.end()),
         round_off_(round_off),
         count_(static_cast<int>(simulation.bodies.size())) {}
@@ -29,17 +30,17 @@ class ListsOf {
       check_list(i);
       for (int j = 0; j < count_; j++) {
         if (j == i) continue;
-        for_each_image(simulation_.box(), now_, place(j) - place(i), 1,
+        for_each_image(simulation_.box(), now_, position(j) - position(i), 1,
                        [&](const Vector3& boxes, const Vector3& r) { check(i, j, boxes, r); });
       }
     }
   }
 
  private:
-  Vector3 place(int i) const { return simulation_.flights[i].at(now_); }
+  Vector3 position(int i) const { return simulation_.flights[i].at(now_); }
 
   void check(int i, int j, const Vector3& boxes, const Vector3& r) {
-    const Body &a = simulation_.bodies[i], &b = simulation_.bodies[j];
+    const HardSphere &a = simulation_.bodies[i], &b = simulation_.bodies[j];
     const auto surfaces = simulation_.surfaces(i, j);
     const double distance = norm(r);
     if (a.inverse_mass + b.inverse_mass > 0.0) {
@@ -65,10 +66,10 @@ class ListsOf {
       }
       EXPECT_EQ(lists_.find_neighbour(i, n->body, n->image), n);
       if (n->is_wall()) continue;
-      const Image &image = lists_.image(n->image), &reverse = lists_.image(image.reverse);
+      const PeriodicImage &image = lists_.image(n->image), &reverse = lists_.image(image.opposite);
       EXPECT_TRUE(cohesion::hard_sphere::same(reverse.displacement, -image.displacement));
       EXPECT_TRUE(cohesion::hard_sphere::same(reverse.velocity, -image.velocity));
-      const Neighbour* const back = lists_.find_neighbour(n->body, i, image.reverse);
+      const Neighbour* const back = lists_.find_neighbour(n->body, i, image.opposite);
       ASSERT_TRUE(back) << i << ' ' << n->body;
       EXPECT_EQ(back->inside, n->inside) << i << ' ' << n->body;
     }
@@ -78,7 +79,7 @@ class ListsOf {
     const auto& box = simulation_.box();
     for (const Neighbour* n = lists_.begin(i); n != lists_.end(i); n++) {
       if (n->body != j) continue;
-      const Image& image = lists_.image(n->image);
+      const PeriodicImage& image = lists_.image(n->image);
       if (cohesion::hard_sphere::same(image.displacement, box.edges * boxes) &&
           cohesion::hard_sphere::same(image.velocity, box.rates * boxes))
         return n;
@@ -87,7 +88,7 @@ class ListsOf {
   }
 
   cohesion::hard_sphere::EventSimulation& simulation_;
-  cohesion::hard_sphere::Neighbourhoods& lists_;
+  cohesion::hard_sphere::NeighbourLists& lists_;
   double now_, round_off_;
   int count_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hard_sphere/calendar.h"
+#include "hard_sphere/event_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,17 @@
 
 namespace {
 
-using cohesion::hard_sphere::Calendar;
+using cohesion::hard_sphere::EventQueue;
+using cohesion::hard_sphere::QueuedEvent;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// A calendar and the sorted map that it has to agree with. Of the same time ranks decide, which
 /// are never equal.
-class Compared {
+class ComparedQueue {
  public:
-  explicit Compared(int bodies) : entries_(bodies) {
-    calendar_.reset(static_cast<std::size_t>(bodies));
+  explicit ComparedQueue(int bodies) : entries_(bodies) {
+    queue_.reset(static_cast<std::size_t>(bodies));
     for (int n = 0; n < bodies; n++) entries_[n] = reference_.end();
   }
 
@@ -30,19 +31,19 @@ class Compared {
     next_rank_++;
     if (entries_[body] != reference_.end()) reference_.erase(entries_[body]);
     entries_[body] = reference_.insert({{time, rank}, body});
-    Calendar::Entry entry;
-    entry.time = time;
-    entry.body = body;
-    entry.depth = rank;
-    calendar_.set(
-        entry,
-        [](const Calendar::Entry& x, const Calendar::Entry& y) {
+    QueuedEvent event;
+    event.time = time;
+    event.body = body;
+    event.depth = rank;
+    queue_.set(
+        event,
+        [](const QueuedEvent& x, const QueuedEvent& y) {
           EXPECT_EQ(x.time, y.time);
           EXPECT_NE(x.body, y.body);
           return x.depth < y.depth;
         },
-        [this](int risen, std::size_t parts) {
-          if (parts == 1) risen_ = risen;
+        [this](int leader, std::size_t subtrees) {
+          if (subtrees == 1) leader_ = leader;
         });
   }
 
@@ -54,16 +55,16 @@ class Compared {
   int next() const { return never_or_none() ? -1 : reference_.begin()->second; }
 
   void check() {
-    const auto entry = calendar_.next();
+    const auto event = queue_.next();
     if (never_or_none()) {
-      ASSERT_EQ(entry.time, never);
+      ASSERT_EQ(event.time, never);
       return;
     }
-    ASSERT_EQ(entry.time, reference_.begin()->first.first);
-    ASSERT_EQ(entry.body, reference_.begin()->second);
+    ASSERT_EQ(event.time, reference_.begin()->first.first);
+    ASSERT_EQ(event.body, reference_.begin()->second);
     // Of one body alone there are no parts.
     if (entries_.size() > 1) {
-      ASSERT_EQ(risen_, entry.body);
+      ASSERT_EQ(leader_, event.body);
     }
   }
 
@@ -72,32 +73,32 @@ class Compared {
     return reference_.empty() || reference_.begin()->first.first == never;
   }
 
-  Calendar calendar_;
-  int risen_ = -1;  // the last that came first of all
+  EventQueue queue_;
+  int leader_ = -1;  // the last that came first of all
   int next_rank_ = 1;
   std::multimap<std::pair<double, int>, int> reference_;
   std::vector<std::multimap<std::pair<double, int>, int>::iterator> entries_;
 };
 
-TEST(Calendar, HasNobodyAtFirst) {
-  EXPECT_EQ(Calendar{}.next().time, never);
-  for (const int bodies : {0, 1, 2, 3, 1000}) Compared(bodies).check();
+TEST(EventQueue, HasNobodyAtFirst) {
+  EXPECT_EQ(EventQueue{}.next().time, never);
+  for (const int bodies : {0, 1, 2, 3, 1000}) ComparedQueue(bodies).check();
 }
 
 // Of few times, so that most of them are tied; what decides ties changes with a body's time, and
 // sometimes without it. A body that has nothing before it is never first.
-TEST(Calendar, NextIsTheFirstOfASortedMap) {
+TEST(EventQueue, NextIsTheFirstOfASortedMap) {
   std::mt19937 random(7);
   for (const int bodies : {1, 2, 3, 4, 5, 7, 8, 9, 31, 100})
     for (int again = 0; again < 3; again++) {
-      Compared calendar(bodies);
+      ComparedQueue queue(bodies);
       for (int n = 0; n < 2000; n++) {
         const int body = static_cast<int>(random() % bodies);
         double time = static_cast<double>(random() % 6);
         if (random() % 20 == 0) time = never;
-        if (random() % 4 == 0) time = calendar.time_of(body);
-        calendar.set(body, time, random() % 2);
-        calendar.check();
+        if (random() % 4 == 0) time = queue.time_of(body);
+        queue.set(body, time, random() % 2);
+        queue.check();
         if (HasFatalFailure()) return;
       }
     }
@@ -105,27 +106,27 @@ TEST(Calendar, NextIsTheFirstOfASortedMap) {
 
 // As bodies do it: what is next gets a later time, and some others with it. Waits of all sizes,
 // with ties.
-TEST(Calendar, TimeGoesOn) {
+TEST(EventQueue, TimeGoesOn) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (const double now : {0.0, 1e3, -7.0})
     for (const bool tied : {false, true}) {
       const int bodies = 200;
-      Compared calendar(bodies);
+      ComparedQueue queue(bodies);
       const auto wait = [&] {
         const double size = std::exp2(std::floor(8.0 * normal(random)));
         return tied ? size * static_cast<double>(random() % 3)
                     : size * std::abs(normal(random)) + 1e-9;
       };
-      for (int body = 0; body < bodies; body++) calendar.set(body, now + wait(), true);
+      for (int body = 0; body < bodies; body++) queue.set(body, now + wait(), true);
       for (int n = 0; n < 5000; n++) {
-        const int first = calendar.next();
+        const int first = queue.next();
         ASSERT_GE(first, 0);
-        const double time = calendar.time_of(first);
-        calendar.set(first, time + wait(), random() % 2);
+        const double time = queue.time_of(first);
+        queue.set(first, time + wait(), random() % 2);
         for (int k = 0; k < 2; k++)
-          calendar.set(static_cast<int>(random() % bodies), time + wait(), random() % 2);
-        calendar.check();
+          queue.set(static_cast<int>(random() % bodies), time + wait(), random() % 2);
+        queue.check();
         if (HasFatalFailure()) return;
       }
     }
@@ -133,47 +134,47 @@ TEST(Calendar, TimeGoesOn) {
 
 // Who comes first in a half, a quarter and so on of all is told of once, in each of them that it
 // comes first in from there on, in the order of the sizes.
-TEST(Calendar, TellsWhoRises) {
-  Calendar calendar;
-  calendar.reset(8);
-  std::vector<std::pair<int, std::size_t> > told;
+TEST(EventQueue, TellsWhoRises) {
+  EventQueue queue;
+  queue.reset(8);
+  std::vector<std::pair<int, std::size_t> > leads;
   const auto set = [&](int body, double time) {
-    told.clear();
-    Calendar::Entry entry;
-    entry.time = time;
-    entry.body = body;
-    calendar.set(
-        entry, [](const Calendar::Entry&, const Calendar::Entry&) { return false; },
-        [&](int risen, std::size_t parts) { told.emplace_back(risen, parts); });
-    return told;
+    leads.clear();
+    QueuedEvent event;
+    event.time = time;
+    event.body = body;
+    queue.set(
+        event, [](const QueuedEvent&, const QueuedEvent&) { return false; },
+        [&](int leader, std::size_t subtrees) { leads.emplace_back(leader, subtrees); });
+    return leads;
   };
-  using Told = std::vector<std::pair<int, std::size_t> >;
-  EXPECT_EQ(set(0, 3.0), (Told{{0, 4}, {0, 2}, {0, 1}}));
-  EXPECT_EQ(set(2, 4.0), (Told{{2, 4}}));
-  EXPECT_EQ(set(7, 1.0), (Told{{7, 4}, {7, 2}, {7, 1}}));
+  using Leads = std::vector<std::pair<int, std::size_t> >;
+  EXPECT_EQ(set(0, 3.0), (Leads{{0, 4}, {0, 2}, {0, 1}}));
+  EXPECT_EQ(set(2, 4.0), (Leads{{2, 4}}));
+  EXPECT_EQ(set(7, 1.0), (Leads{{7, 4}, {7, 2}, {7, 1}}));
   // Still first, and nobody else of its half: nothing new. Behind 0 and 2, the first of all is 0.
-  EXPECT_EQ(set(7, 2.0), Told{});
-  EXPECT_EQ(set(7, 5.0), (Told{{0, 1}}));
-  EXPECT_EQ(set(0, 6.0), (Told{{2, 2}, {2, 1}}));
+  EXPECT_EQ(set(7, 2.0), Leads{});
+  EXPECT_EQ(set(7, 5.0), (Leads{{0, 1}}));
+  EXPECT_EQ(set(0, 6.0), (Leads{{2, 2}, {2, 1}}));
 }
 
 // Bodies that are predicted again and again leave nothing behind that grows.
-TEST(Calendar, TakesNoMoreMemoryThanAFewTimesItsEntries) {
-  Calendar calendar;
+TEST(EventQueue, TakesNoMoreMemoryThanAFewTimesItsEntries) {
+  EventQueue queue;
   const int bodies = 1000;
-  calendar.reset(bodies);
+  queue.reset(bodies);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform;
   for (int step = 0; step < 1000; step++)
     for (int body = 0; body < bodies; body++) {
-      Calendar::Entry entry;
-      entry.time = 0.01 * step + 10.0 * uniform(random);
-      entry.body = body;
-      calendar.set(
-          entry, [](const Calendar::Entry&, const Calendar::Entry&) { return false; },
+      QueuedEvent event;
+      event.time = 0.01 * step + 10.0 * uniform(random);
+      event.body = body;
+      queue.set(
+          event, [](const QueuedEvent&, const QueuedEvent&) { return false; },
           [](int, std::size_t) {});
     }
-  EXPECT_LT(calendar.bytes(), 5.0 * sizeof(Calendar::Entry) * bodies);
+  EXPECT_LT(queue.bytes(), 5.0 * sizeof(QueuedEvent) * bodies);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-const Law sticky{0.95, 0.2, 0.2};
+const ImpactLaw sticky{0.95, 0.2, 0.2};
 
 /// Lets see what it has predicted.
-class Watched : public EventSimulation {
+class InspectedSimulation : public EventSimulation {
  public:
   /// An event of two bodies, or of a body and a wall, the lower number first.
   using Predicted = std::tuple<double, int, int, int, Surface>;
@@ -41,7 +41,7 @@ class Watched : public EventSimulation {
   Predicted predicted(int i, const PredictedEvent& event) const {
     if (event.partner < 0 || i < event.partner)
       return {event.time, i, event.partner, event.image, event.surface};
-    return {event.time, event.partner, i, neighbourhoods_.image(event.image).reverse,
+    return {event.time, event.partner, i, neighbour_lists_.image(event.image).opposite,
             event.surface};
   }
 };
@@ -49,9 +49,9 @@ class Watched : public EventSimulation {
 /// Gases in which the same happens.
 void fill(EventSimulation& simulation, const PeriodicBox& box, int count = 120) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
-  simulation.rules.collapse = 0;
-  Gas{count, 0.4, 0.6}.fill(simulation, box);
-  simulation.start_clock(box);
+  simulation.rules.collapse_limit = 0;
+  GasOfSpheres{count, 0.4, 0.6}.fill(simulation, box);
+  simulation.reset_time(box);
 }
 
 const PeriodicBox tilted = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
@@ -59,7 +59,7 @@ const PeriodicBox tilted = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
 // What is known stays, to the last bit. What comes new is what the partner alone has known, or what
 // lies behind the horizon of one of both, who predicts it then.
 TEST(Prediction, AnotherTimeChangesNothing) {
-  Watched gas;
+  InspectedSimulation gas;
   fill(gas, tilted);
   gas.set_up(never, {});
   const int count = static_cast<int>(gas.bodies.size());
@@ -67,8 +67,8 @@ TEST(Prediction, AnotherTimeChangesNothing) {
   for (int n = 0; n < 50; n++) {
     gas.begin_step(0.1);
     gas.run(gas.end());
-    std::vector<std::set<Watched::Predicted> > before(count);
-    std::set<Watched::Predicted> all_before;
+    std::vector<std::set<InspectedSimulation::Predicted> > before(count);
+    std::set<InspectedSimulation::Predicted> all_before;
     std::vector<double> horizons(count);
     for (int i = 0; i < count; i++) {
       before[i] = gas.valid_events(i);
@@ -130,8 +130,8 @@ TEST(Prediction, IsTheSameAfterListsHaveBeenMadeAnew) {
     }
     expect_the_same_events(one, other, 0.037, 200, [&](EventSimulation& gas, int n) {
       if (n % 3) return;
-      gas.neighbourhoods().margin = n % 2 ? margin : 0.5;
-      gas.set_up(never, gas.inside_at_edge());
+      gas.neighbour_lists().margin = n % 2 ? margin : 0.5;
+      gas.set_up(never, gas.bound_pairs_at_edge());
     });
   }
 }
@@ -157,7 +157,7 @@ TEST(Prediction, IsTheSameUnderShear) {
     simulation->set_up(1.3, {});
   }
   expect_the_same_events(one, other, 0.04, 100, [](EventSimulation& gas, int n) {
-    if (n % 3 == 0) gas.set_up(1.3, gas.inside_at_edge());
+    if (n % 3 == 0) gas.set_up(1.3, gas.bound_pairs_at_edge());
   });
 }
 
@@ -165,7 +165,7 @@ TEST(Prediction, IsTheSameInABoxOfWalls) {
   BoxOfSpheres one(4, {1.0, 0.3, 0.3}), other(4, {1.0, 0.3, 0.3});
   expect_the_same_events(one.simulation, other.simulation, 0.05, 200,
                          [](EventSimulation& gas, int n) {
-                           if (n % 3 == 0) gas.set_up(never, gas.inside_at_edge());
+                           if (n % 3 == 0) gas.set_up(never, gas.bound_pairs_at_edge());
                          });
 }
 
@@ -177,7 +177,8 @@ TEST(Prediction, IsTheSameFromTheEdgeOfAWellOn) {
     EventSimulation one, other;
     for (EventSimulation* simulation : {&one, &other}) {
       fill(*simulation, tilted, 80);
-      simulation->rules.rest = 0.0;  // counts the collisions in a step, and steps are divided here
+      simulation->rules.rest_factor =
+          0.0;  // counts the collisions in a step, and steps are divided here
       simulation->set_up(never, {});
     }
     for (int n = 0; n < 100; n++) {
@@ -188,7 +189,7 @@ TEST(Prediction, IsTheSameFromTheEdgeOfAWellOn) {
       const std::size_t count = one.events.size();
       other.begin_step(until - other.end());
       other.run(other.end());
-      const auto inside = other.inside_at_edge();
+      const auto inside = other.bound_pairs_at_edge();
       at_edge += !inside.empty();
       if (rebuilt) other.set_up(never, inside);
       std::vector<Event> events = other.events;
