@@ -7,12 +7,12 @@
 
 namespace cohesion::hard_sphere {
 
-/// How bodies get other numbers, go and come. What it costs to follow it goes with how many bodies
-/// are concerned, not with how many there are.
+/// Permutation, insertion and removal of bodies. Applying it costs time in proportion to the number
+/// of bodies that change, not to their total number.
 class BodyRenumbering {
  public:
-  /// Body n is the one that was old[n] of so many `bodies`, or a new one where that is below 0.
-  /// Those that are not there are gone.
+  /// Body n had the number old_number[n] among `bodies` bodies; a negative entry is a new body.
+  /// Bodies that are absent from old_number are removed.
   BodyRenumbering(std::vector<int> old_number, std::size_t bodies)
       : old_(std::move(old_number)), now_(bodies, -1) {
     for (int n = 0; n < static_cast<int>(old_.size()); n++) {
@@ -24,17 +24,17 @@ class BodyRenumbering {
   }
 
   std::size_t count() const { return old_.size(); }
-  /// The number that body n had; below 0: it is new.
+  /// The previous number of body n; negative: the body is new.
   int old_number(int n) const { return old_[n]; }
-  /// The number of what was body i; below 0: it is gone.
+  /// The new number of body i; negative: the body is removed.
   int new_number(int i) const { return now_[i]; }
   bool is_unchanged(int i) const { return now_[i] == i; }
-  /// The numbers under which there is another body now.
+  /// The numbers that refer to a different body from now on.
   const std::vector<int>& changed() const { return changed_; }
-  /// The numbers that the bodies had that are gone.
+  /// The previous numbers of the removed bodies.
   const std::vector<int>& removed() const { return removed_; }
 
-  /// Arranges what there is of each body. New bodies have Item{}.
+  /// Reorders one item per body. Items of new bodies are default-constructed.
   template <class Item>
   void reorder(std::vector<Item>& items) const {
     std::vector<Item> changed;

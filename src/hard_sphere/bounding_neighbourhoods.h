@@ -13,43 +13,48 @@
 
 namespace cohesion::hard_sphere {
 
-/// A sphere that a body is in when it gets it, and that flows with the box.
+/// Bounding neighbourhood of a body: a sphere that contains its centre for some time, A. Donev, S.
+/// Torquato, F. H. Stillinger, J. Comput. Phys. 202 (2005) 737. It moves with the affine flow of
+/// the box.
 struct BoundingNeighbourhood {
-  Vector3 centre;        ///< at time 0, of the flow that goes through it, [length]
-  Vector3 velocity;      ///< of that flow, [length/time]
+  Vector3 centre;        ///< at time 0, [length]
+  Vector3 velocity;      ///< of the affine flow at the centre, [length/time]
   double radius;         ///< [length]
-  double creation_time;  ///< when, [time]
-  // How the cells know it.
-  Vector3 wrapped_centre;       ///< the place, folded into the box, [length]
-  Cells::BoxOffset box_offset;  ///< how many boxes away it is from there
+  double creation_time;  ///< earliest time at which it is valid, [time]
+  // Address in the cells.
+  Vector3 wrapped_centre;       ///< the centre, wrapped into the box, [length]
+  Cells::BoxOffset box_offset;  ///< number of boxes between both
   int cell;
-  int size_class;  ///< class of sizes
+  int size_class;  ///< index of the size class
 
   Vector3 centre_at(double time) const { return centre + time * velocity; }
 };
 
-/// The homes of all bodies, and which of them are near each other. Cells find those; each class of
-/// sizes has its own: so a few large bodies do not make wide cells for many small ones.
+/// The bounding neighbourhoods of all bodies, and a search for pairs that can meet by linked cells.
+/// Each class of sizes has its own cells, so that a few large bodies do not widen the cells of many
+/// small ones.
 class BoundingNeighbourhoods {
  public:
-  /// The radius of a home over that of the largest body of its class of sizes, [1].
+  /// Radius of a bounding neighbourhood over the radius of the largest body of its size class, [1].
   double margin = 0.6;
-  /// How many bodies the box has, those included that only other processes have; bounds the cells.
+  /// Number of bodies in the box, including bodies that are absent on this process. Limits the
+  /// number of cells.
   double bodies_in_box = 0.0;
 
-  /// When a body needs a new home: when it leaves this one, or when that is too old, [time].
+  /// When a body needs a new neighbourhood, [time]: when its centre leaves the current one, or when
+  /// the lifetime of that in a deforming box ends.
   double exit_time(int body, const VersionedFlight& flight) const {
     const BoundingNeighbourhood& neighbourhood = neighbourhoods_[body];
     const Vector3 r = flight.position - neighbourhood.centre_at(flight.start_time);
     const Vector3 w = flight.velocity - neighbourhood.velocity;
-    // Before it could meet another there, whatever both round to.
+    // Ahead of the exit, so that round-off cannot hide an encounter at the surface.
     constexpr double early = 1.0 - 1e-9;
     const double border = early * neighbourhood.radius * neighbourhood.radius;
     const double leave = flight.start_time + time_to_rise(dot(r, w), dot(w, w), dot(r, r) - border);
     return flow_ ? std::min(leave, neighbourhood.creation_time + flow_.lifetime()) : leave;
   }
 
-  /// Whether a body that is at a place now is in its home.
+  /// Whether the neighbourhood of a body is valid now and contains a position.
   bool neighbourhood_contains(int body, const Vector3& position, double now) const {
     const BoundingNeighbourhood& neighbourhood = neighbourhoods_[body];
     const Vector3 r = position - neighbourhood.centre_at(now);
@@ -60,8 +65,8 @@ class BoundingNeighbourhoods {
  protected:
   using BoxOffset = Cells::BoxOffset;
 
-  /// Gives all bodies homes. `largest_ratio`: PairRules::largest_ratio(). In a box that flows a
-  /// home lasts for `lifetime` [time].
+  /// Creates the neighbourhoods of all bodies. `largest_ratio`: PairRules::largest_ratio(). In a
+  /// deforming box a neighbourhood is valid for `lifetime` [time].
   void build_neighbourhoods(const PeriodicBox& box, const std::vector<HardSphere>& bodies,
                             const std::vector<VersionedFlight>& flights, double largest_ratio,
                             double now, double lifetime) {
@@ -75,7 +80,7 @@ class BoundingNeighbourhoods {
     fill_cells();
   }
 
-  /// Time 0 is at the time `now` from here on. Homes that rest know no time.
+  /// Shifts the time origin to `now`. In a box that does not deform nothing depends on it.
   void shift_time_origin_of_neighbourhoods(double now) {
     if (!flow_) return;
     flow_.shift_time_origin(now);
@@ -91,8 +96,8 @@ class BoundingNeighbourhoods {
   const HardSphere& body(int i) const { return (*bodies_)[i]; }
   const BoundingNeighbourhood& neighbourhood(int body) const { return neighbourhoods_[body]; }
 
-  /// Gives a body a new home, in which others look for it from the time `since` on. It is found by
-  /// the former one, too, until take_out().
+  /// Gives a body a new neighbourhood, which is valid from the time `valid_from` on. Searches find
+  /// the former one, too, until remove_from_cells().
   void recentre_neighbourhood(int body, const VersionedFlight& flight, double now,
                               double valid_from) {
     centre_ahead_of_body(body, flight, now);
@@ -100,8 +105,8 @@ class BoundingNeighbourhoods {
     insert_into_cells(body);
   }
 
-  /// Gives bodies other numbers. New ones have no home yet, those that are gone have been taken
-  /// out.
+  /// Renumbers bodies. Removed bodies have left the cells already; new ones have no neighbourhood
+  /// yet.
   void renumber_neighbourhoods(const BodyRenumbering& renumbering) {
     for (const int n : renumbering.changed()) {
       if (renumbering.old_number(n) < 0) continue;
@@ -112,7 +117,8 @@ class BoundingNeighbourhoods {
     renumbering.reorder(neighbourhoods_);
   }
 
-  /// Whether the class of sizes of a body that is new has been there since make_homes(); sets it.
+  /// Sets the size class of a new body. Returns false if build_neighbourhoods() has not created
+  /// this class or if the body is larger than all of it.
   bool assign_size_class(int i) {
     const double radius = body(i).radius;
     const int size = size_class_of(radius);
@@ -122,14 +128,14 @@ class BoundingNeighbourhoods {
     return true;
   }
 
-  /// A body is not found by a home that it has or had any more.
+  /// Removes a current or former neighbourhood of a body from the cells.
   void remove_from_cells(int body, const BoundingNeighbourhood& neighbourhood) {
     cells_.remove(neighbourhood.cell, neighbourhood.wrapped_centre, body, neighbourhood.box_offset);
   }
 
-  /// Calls near(j, boxes, square) for all homes that may be so near to that of a body that the two
-  /// could meet: those of the images of j that are so many boxes away, with the square of the least
-  /// distance of the two places from now on for a lifetime.
+  /// Calls near(j, boxes, squared_distance) for all neighbourhoods that may be close enough to that
+  /// of body i for the bodies to meet. `boxes` is the image of j. The squared distance is the least
+  /// one of both centres during the next lifetime, [length^2].
   template <class Near>
   void for_each_near(int i, double now, const Near& near) {
     if (now > widths_valid_until_) update_inverse_widths(now);
@@ -137,8 +143,8 @@ class BoundingNeighbourhoods {
       if (c.members > 0) search_size_class(c, i, now, near);
   }
 
-  /// Whether i and the image of j with a displacement [length] could come nearer to each other than
-  /// a distance [length] while they are in their homes, from now on for a lifetime.
+  /// Whether i and the image of j with a displacement [length] can come closer than a distance
+  /// [length] during the next lifetime, while both are in their neighbourhoods.
   bool can_come_within(double distance, int i, int j, const Vector3& displacement,
                        double now) const {
     const Vector3 r = neighbourhoods_[j].centre - neighbourhoods_[i].centre + displacement;
@@ -163,7 +169,7 @@ class BoundingNeighbourhoods {
     int first, last;
   };
 
-  /// Sizes that differ by a factor of up to two are a class.
+  /// Bodies whose radii differ by a factor of up to two share a class.
   void set_classes(double now) {
     least_radius_ = never;
     for (const HardSphere& b : *bodies_)
@@ -192,7 +198,7 @@ class BoundingNeighbourhoods {
     return radius > least_radius_ ? static_cast<int>(std::log2(radius / least_radius_)) : 0;
   }
 
-  /// Notes how far a reach goes in the box from now on for the lifetimes of two homes.
+  /// Updates the bound on the inverse widths of the box for the lifetimes of two neighbourhoods.
   void update_inverse_widths(double now) {
     const double later = flow_ ? now + 2.0 * flow_.lifetime() : now;
     const auto first = PeriodicBox::inverse_widths(flow_.box().edges_at(now));
@@ -201,8 +207,8 @@ class BoundingNeighbourhoods {
     widths_valid_until_ = flow_ ? now + flow_.lifetime() : never;
   }
 
-  /// Cells as wide as two of the class can be apart and be neighbours, but not more than the
-  /// bodies are.
+  /// Cells are as wide as the largest distance of two neighbours of the class. Their number is
+  /// limited in proportion to the number of bodies.
   void set_cells(SizeClass& c) {
     const double reach = 2.0 * (largest_ratio_ * c.largest_radius + c.neighbourhood_radius);
     double number[3], all = 1.0;
@@ -216,7 +222,7 @@ class BoundingNeighbourhoods {
       c.cells[k] = static_cast<int>(std::max(1.0, std::floor(number[k] / shrink)));
   }
 
-  /// Puts a home ahead of a body on its flight, by a part of the radius: so it is in there for
+  /// Centres a neighbourhood ahead of its body on the flight, so that the body stays in it for
   /// longer.
   void centre_ahead_of_body(int body, const VersionedFlight& flight, double now) {
     BoundingNeighbourhood& neighbourhood = neighbourhoods_[body];
@@ -230,8 +236,8 @@ class BoundingNeighbourhoods {
                speed > 0.0 ? position + (ahead * neighbourhood.radius / speed) * w : position, now);
   }
 
-  /// Puts a home at a place [length] at a time. Outside the box in a direction that is not periodic
-  /// it is in the cell at the end.
+  /// Sets the centre [length] at a time. A centre outside a box that is not periodic belongs to the
+  /// outermost cell.
   void set_centre(BoundingNeighbourhood& neighbourhood, const Vector3& position, double now) {
     const PeriodicBox& box = flow_.box();
     const Vector3 fraction = flow_.fraction(position, now);
@@ -266,7 +272,8 @@ class BoundingNeighbourhoods {
     for (int i = 0; i < static_cast<int>(neighbourhoods_.size()); i++) insert_into_cells(i);
   }
 
-  /// Those of a class. Cells behind an end of the box are those of the next box.
+  /// Searches the cells of a size class. Cells beyond a periodic boundary are those of the next
+  /// box.
   template <class Near>
   void search_size_class(const SizeClass& c, int i, double now, const Near& near) {
     const BoundingNeighbourhood& neighbourhood = neighbourhoods_[i];
@@ -293,10 +300,10 @@ class BoundingNeighbourhoods {
     }
   }
 
-  /// The cells along an axis that are at most `way` of the box away from a place in it.
-  CellRange cell_range(const SizeClass& c, int axis, double position, double way) const {
-    const int first = static_cast<int>(std::floor((position - way) * c.cells[axis]));
-    const int last = static_cast<int>(std::floor((position + way) * c.cells[axis]));
+  /// The range of cells along an axis within `reach` of a position, both in fractions of the box.
+  CellRange cell_range(const SizeClass& c, int axis, double position, double reach) const {
+    const int first = static_cast<int>(std::floor((position - reach) * c.cells[axis]));
+    const int last = static_cast<int>(std::floor((position + reach) * c.cells[axis]));
     if (flow_.box().periodic[axis]) return {first, last};
     return {std::clamp(first, 0, c.cells[axis] - 1), std::clamp(last, 0, c.cells[axis] - 1)};
   }
@@ -305,8 +312,8 @@ class BoundingNeighbourhoods {
     return cell >= 0 && cell < cells ? 0 : static_cast<int>(std::floor(double(cell) / cells));
   }
 
-  /// Those in cells that follow each other, all of the box that `folds` says, with a square below
-  /// `most`.
+  /// Searches contiguous cells of the periodic box `box_offset` for centres closer than the square
+  /// root of `limit`.
   template <class Near>
   void search_cells(int first_cell, int cells, int i, const BoxOffset& box_offset, double now,
                     double most, const Near& near) {
@@ -333,7 +340,7 @@ class BoundingNeighbourhoods {
   double largest_ratio_ = 1.0;
   double least_radius_ = never;
   std::array<double, 3> inverse_widths_{};
-  double widths_valid_until_ = -never;  // until when steepness_ is right
+  double widths_valid_until_ = -never;  // end of the validity of inverse_widths_, [time]
   std::vector<SizeClass> classes_;
   std::vector<BoundingNeighbourhood> neighbourhoods_;
   int number_of_cells_ = 0;

@@ -9,15 +9,14 @@
 
 namespace cohesion::hard_sphere {
 
-/// Points in cells, each with a body that it belongs to and how many boxes away from there the body
-/// is. All cells have the same room, and cells that follow each other lie side by side: so that
-/// many of them can be looked through in one loop. A place that is not taken is infinitely far
-/// away.
+/// Linked cells of points. Each point has a body and a periodic box relative to the body. All cells
+/// have the same capacity and are contiguous in memory, so that one loop searches a row of cells.
+/// Unused slots hold a point at a very large distance.
 class Cells {
  public:
   using BoxOffset = std::array<int, 3>;
 
-  /// Empties all cells and sets their number and the room of each.
+  /// Empties all cells, and sets their number and capacity.
   void reset(std::size_t cells, int capacity) {
     capacity_ = capacity;
     sizes_.assign(cells, 0);
@@ -31,7 +30,7 @@ class Cells {
     put(first(cell) + sizes_[cell]++, point, body, box_offset);
   }
 
-  /// Takes out the point of a body at this place.
+  /// Removes the point of a body.
   void remove(int cell, const Vector3& point, int body, const BoxOffset& box_offset) {
     const std::size_t last = first(cell) + sizes_[cell] - 1;
     put(find(cell, point, body, box_offset), {x_[last], y_[last], z_[last]}, bodies_[last],
@@ -40,13 +39,13 @@ class Cells {
     sizes_[cell]--;
   }
 
-  /// Gives the body of a point at this place another number.
+  /// Changes the number of the body of a point.
   void renumber(int cell, const Vector3& point, int body, const BoxOffset& box_offset, int number) {
     bodies_[find(cell, point, body, box_offset)] = number;
   }
 
-  /// Calls near(body, folds, square) for each point of `cells` cells from the first on for which
-  /// square_of(r), r from `from` to the point, is below `most`.
+  /// Calls near(body, box_offset, square) for each point of `cells` contiguous cells for which
+  /// square_of(r) is below `limit`; r is the vector from `from` to the point.
   template <class SquareOf, class Near>
   void for_each_near(int first_cell, int cells, const Vector3& from, double limit,
                      const SquareOf& square_of, const Near& near) {
@@ -77,7 +76,7 @@ class Cells {
   }
 
  private:
-  // Its square is no number that overflows.
+  // Large, but its square does not overflow.
   static constexpr double nowhere = 1e100;
 
   std::size_t first(int cell) const { return static_cast<std::size_t>(cell) * capacity_; }
@@ -97,7 +96,7 @@ class Cells {
     box_offsets_[n] = box_offset;
   }
 
-  /// Gives all cells more room.
+  /// Increases the capacity of all cells.
   void grow() {
     const Cells old = *this;
     reset(old.sizes_.size(), old.capacity_ + 2 + old.capacity_ / 2);

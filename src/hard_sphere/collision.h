@@ -8,49 +8,48 @@
 
 namespace cohesion::hard_sphere {
 
-/// One side of an impulsive contact. A wall, and a particle that nothing moves, has both inverses
-/// 0; a wall has radius 0 and the velocity of its surface.
+/// One partner of an impulsive contact. A wall or an immobile particle has zero inverse mass and
+/// inertia. A wall has radius 0 and the velocity of its surface.
 struct CollisionPartner {
   Vector3 velocity;        ///< [length/time]
   Vector3 spin;            ///< [1/time]
   double inverse_mass;     ///< [1/mass]
-  double inverse_inertia;  ///< of turning about the centre, [1/(mass length^2)]
+  double inverse_inertia;  ///< about the centre, [1/(mass length^2)]
   double radius;           ///< [length]
 };
 
-/// The impulses of a collision, and what they dissipate.
+/// Impulses of a collision and its energy change.
 struct CollisionImpulses {
   double normal_impulse = 0.0;    ///< J, [momentum], positive repels
-  Vector3 tangential_impulse;     ///< on j, its reverse on i, [momentum]
-  double dissipated = 0.0;        ///< [energy]; below 0: given
-  double rest_rule_energy = 0.0;  ///< kinetic energy above what restitution e leaves, [energy]
+  Vector3 tangential_impulse;     ///< on j; the reverse acts on i, [momentum]
+  double dissipated = 0.0;        ///< [energy]; negative: the collision adds energy
+  double rest_rule_energy = 0.0;  ///< kinetic energy above that of restitution e, [energy]
 };
 
-/// The least speeds with which collisions part their partners, [length/time].
+/// Least speeds of separation along the line of centres, [length/time].
 struct MinimumSeparationSpeeds {
-  double energy_adding = 0.0;   ///< whatever energy that takes
-  double energy_limited = 0.0;  ///< as far as the collision has the energy
+  double energy_adding = 0.0;   ///< G: enforced even if that adds kinetic energy
+  double energy_limited = 0.0;  ///< K: enforced as far as possible without adding kinetic energy
 };
 
 /// Collision of hard spheres with restitution and Coulomb friction.
 ///
 ///   B2 = 1/m_i + 1/m_j            B1 = B2 + r_i^2/I_i + r_j^2/I_j
 ///   J = (C0 + C)/B2               C0 = k.(v_i - v_j), k from i to j
-///   C = e C0                      the speed with which they part
+///   C = e C0                      speed of separation
 ///   sticking, S0 < mu_f B1 J:     tangential impulse S0/B1
 ///   sliding:                      tangential impulse mu_f J
 ///
-/// along the sliding velocity of i's surface against j's, of size S0. Dissipated: (C0^2 - C^2)/(2
-/// B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding with the
-/// tangential impulse P.
+/// along the sliding velocity of i's surface against j's, of magnitude S0. Dissipated energy: (C0^2
+/// - C^2)/(2 B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding with
+/// the tangential impulse P.
 ///
-/// With least speeds G (given) and K (kept) the two part with
+/// With the least speeds of separation G and K
 ///
 ///   C = max(e C0, G, min(C0, K))
 ///
-/// so that K makes a slow collision elastic. What friction dissipates in a collision that parts
-/// with less than K then speeds C up, to K at most: such a collision takes no energy as long as
-/// it has less.
+/// so that K makes a slow collision elastic. In a collision with C < K the energy dissipated by
+/// friction then increases C, up to K: such a collision conserves energy while its C stays below K.
 ///
 /// The caller ensures B2 > 0.
 ///

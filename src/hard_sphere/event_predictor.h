@@ -13,19 +13,19 @@
 
 namespace cohesion::hard_sphere {
 
-/// Bodies in free flight, what will happen between them, and what of that comes first.
+/// Bodies in free flight and the predictions of their events.
 ///
-/// Each body knows its next few events with its neighbours (predicted_events.h); the calendar knows
-/// whose comes first. What a body has predicted with another that has changed its flight since then
-/// is stale: it is known by the version of the flight that it is true for.
+/// Each body stores its next few events with its neighbours (predicted_events.h), and the event
+/// queue orders the bodies by the first of them. A predicted event is stale if the partner has
+/// changed its flight since; the version of the partner's flight shows that.
 ///
-/// A prediction depends on nothing but the flights of its two bodies and whether they are in their
-/// well: it starts from the later of their last changes. So it is the same, bit by bit, wherever
-/// and whenever it is made.
+/// A prediction depends only on the flights of both bodies and on whether they are in their well.
+/// It starts from the later of the last changes of both. So its value is the same, bit by bit, on
+/// each process and at each time of prediction.
 class EventPredictor {
  public:
   std::vector<HardSphere> bodies;
-  std::vector<VersionedFlight> flights;  ///< of the bodies
+  std::vector<VersionedFlight> flights;  ///< by body
   PairRules pairs;
   std::vector<HardWall> walls;
 
@@ -37,8 +37,8 @@ class EventPredictor {
   /// Predicts the events of a body.
   void predict(int i) { predict(i, i, 0); }
 
-  /// Predicts the events of all bodies that may meet a wall that moves, whose motion is another one
-  /// in each step.
+  /// Predicts the events of all bodies that may meet a moving wall, whose velocity changes in each
+  /// step.
   void predict_at_moving_walls() {
     if (std::none_of(walls.begin(), walls.end(), [](const HardWall& w) { return w.moves; })) return;
     for (int i = 0; i < count(); i++)
@@ -47,21 +47,21 @@ class EventPredictor {
         predict(i);
   }
 
-  /// Of a body and a partner, or -1 - number of a wall.
+  /// Surfaces of a body and a partner, or -1 - number of a wall.
   SurfaceDistances surfaces(int i, int partner) const {
     return partner < 0 ? walls[-1 - partner].surfaces(bodies[i])
                        : pairs.surfaces(bodies[i], bodies[partner]);
   }
 
-  /// Distance of a body and a neighbour at a time, [length].
+  /// Distance between a body and a neighbour at a time, [length].
   double distance(int i, const Neighbour& n, double time) const {
     if (!n.is_wall()) return norm(relative_motion(i, n.body, n.image, time).first);
     const MovingWall& wall = walls[n.wall()].motion;
     return wall.wall.nearest(flights[i].at(time), wall.at(time), 0.0).distance;
   }
 
-  /// Position and velocity of j as seen from i, the same numbers but for the sign as those of i as
-  /// seen from j.
+  /// Position and velocity of j relative to i. Swapping i and j reverses the sign and changes no
+  /// bit.
   std::pair<Vector3, Vector3> relative_motion(int i, int j, int image, double time) const {
     return relative_motion(flights[i], flights[j], image, time);
   }
@@ -71,20 +71,19 @@ class EventPredictor {
 
   int count() const { return static_cast<int>(bodies.size()); }
 
-  /// Predicts the events of all bodies and begins a new calendar.
+  /// Predicts the events of all bodies and rebuilds the event queue.
   void predict_all() {
     predicted_.resize(bodies.size());
     event_queue_.reset(bodies.size());
     for (int i = 0; i < count(); i++) predict(i);
   }
 
-  /// Gives bodies other numbers, and their flights and what they predict:
-  /// EventSimulation::arrange().
+  /// Renumbers bodies with their flights and predictions: EventSimulation::renumber().
   void renumber_predictions(const BodyRenumbering& renumbering) {
-    std::vector<int> affected;  // with another number or with partners that have another one
+    std::vector<int> affected;  // bodies with a new number or with partners that have a new number
     for (int i = 0; i < count(); i++) {
       if (renumbering.is_unchanged(i) && predicted_[i].keeps_partners(renumbering)) continue;
-      // Before numbers change, by which entries of the same time are in order.
+      // Before the renumbering, which changes the keys that resolve ties in the queue.
       event_queue_.set({never, i, -1, -1}, EarlierKey{*this}, [](int, std::size_t) {});
       if (renumbering.new_number(i) >= 0) affected.push_back(renumbering.new_number(i));
     }
@@ -101,7 +100,7 @@ class EventPredictor {
       if (renumbering.old_number(n) >= 0) schedule(n);
   }
 
-  /// Predicts the events of a body but those with one partner.
+  /// Predicts the events of a body except those with one partner.
   void predict(int i, int excluded_partner, int excluded_image) {
     const VersionedFlight& a = flights[i];
     PredictedEvents& list = predicted_[i];
@@ -133,7 +132,7 @@ class EventPredictor {
     schedule(i);
   }
 
-  /// Enters what is next for a body in the calendar.
+  /// Enters the next event of a body in the queue.
   void schedule(int body) {
     const PredictedEvents& list = predicted_[body];
     QueuedEvent event;
@@ -151,7 +150,7 @@ class EventPredictor {
     return event.partner >= 0 && flights[event.partner].version != event.version;
   }
 
-  /// relative_motion() on other flights than those that they have now.
+  /// Relative position and velocity of two arbitrary flights.
   std::pair<Vector3, Vector3> relative_motion(const FreeFlight& i, const FreeFlight& j, int image,
                                               double time) const {
     Vector3 r = j.at(time) - i.at(time), w = j.velocity - i.velocity;
@@ -177,15 +176,16 @@ class EventPredictor {
     return {event.time, 1 + std::max(of_i, of_j), tag_i, tag_j};
   }
 
-  /// That of an entry of the calendar. What has to be predicted again goes first of all at its
-  /// time, since it may hide what comes before others.
+  /// Key of a queued event. Bodies without a valid prediction precede all others of the same time,
+  /// since their next event may be earlier than those of the others.
   EventKey event_key(const QueuedEvent& event) const {
     if (event.depth < 0) return {event.time, -1, 0, 0};
     const auto [tag_i, tag_j] = tag_pair(event.body, event.partner);
     return {event.time, event.depth, tag_i, tag_j};
   }
 
-  /// The depth of the chain of events of an instant that led to a flight; -1: none did.
+  /// EventKey::causal_depth of the event that led to a flight if that was at this instant; -1
+  /// otherwise.
   static int causal_depth_at(double time, const FreeFlight& flight, const EventState& event_state) {
     return flight.start_time == time ? event_state.causal_depth : -1;
   }
@@ -198,7 +198,7 @@ class EventPredictor {
   NeighbourLists neighbour_lists_;
 
  private:
-  /// The order of entries of the calendar of the same time.
+  /// Order of queued events of the same time.
   struct EarlierKey {
     const EventPredictor& predictions;
     bool operator()(const QueuedEvent& a, const QueuedEvent& b) const {
@@ -206,10 +206,10 @@ class EventPredictor {
     }
   };
 
-  /// Asks for the memory that the turn of a body will read, a turn that is one of about the next
-  /// `parts`. Who comes next is anywhere in the box, so that nearly all of it is in no cache. It
-  /// hangs together in a chain: what is predicted names the partner, lists name the neighbours. A
-  /// link is asked for when the one before has had time to come.
+  /// Prefetches the memory for the next event of a body that is among about the next `subtrees`
+  /// ones of the queue. Successive events are far apart in the box, so that their data are in no
+  /// cache. The data form a chain: the predictions contain the partner, the lists contain the
+  /// neighbours. Each link is prefetched when the previous one has had time to arrive.
   void prefetch_turn(int i, std::size_t subtrees) const {
     switch (subtrees) {
       case 64:
@@ -239,13 +239,13 @@ class EventPredictor {
     for (const Neighbour* n = neighbour_lists_.begin(i); n != neighbour_lists_.end(i); n++)
       if (!n->is_wall()) prefetch(flights[n->body]);
   }
-  /// The body of the next event; below 0: none.
+  /// The partner in the next event of a body; negative: none, or a wall.
   int next_partner(int i) const {
     return predicted_[i].empty() ? -1 : predicted_[i].front().partner;
   }
 
-  /// Finds which neighbours of a body it may meet before `horizon`, without roots and without
-  /// branches that depend on it; returns how many, their numbers are in near_.
+  /// Sets candidates_ to the indices of the neighbours that a body may meet before `horizon`, and
+  /// returns their number. The loop has no square roots and no branches that depend on the result.
   int find_candidates(int i, double horizon) {
     const VersionedFlight a = flights[i];
     const Neighbour* const row = neighbour_lists_.begin(i);

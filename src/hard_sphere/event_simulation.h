@@ -13,29 +13,29 @@
 namespace cohesion::hard_sphere {
 
 /// Event-driven simulation of bodies in free flight: B. J. Alder, T. E. Wainwright, J. Chem. Phys.
-/// 31 (1959) 459. The events are executed in order of time.
+/// 31 (1959) 459. Events are executed in the order of their keys.
 ///
-/// Flights and predictions last until something changes them, however many steps of an engine that
-/// takes. After an event only the events of its two bodies are predicted again.
+/// Flights and predictions remain valid over several steps of the engine, until an event or the
+/// engine changes them. After an event only the events of its two bodies are predicted again.
 ///
-/// Times count from start_clock().
+/// Times are relative to the last reset_time() or shift_time_origin().
 class EventSimulation : public EventPredictor {
  public:
   virtual ~EventSimulation() = default;
 
   EventRules rules;
-  std::vector<Event> events;  ///< of this step
+  std::vector<Event> events;  ///< executed in this step
 
-  /// The time is 0 from here on, and the box as given. Before set_up().
+  /// Sets the time to 0, and the box. To be called before set_up().
   void reset_time(const PeriodicBox& box) {
     box_ = box;
     start_ = end_ = 0.0;
   }
 
-  /// Finds the neighbours of all bodies and predicts all events, after bodies, flights, rules or
-  /// walls have been set. `lifetime`: Neighbourhoods::build(). A pair is in its well if it is
-  /// nearer than the edge; one at the edge, to round-off, if it is among `inside`, which is in
-  /// order.
+  /// Finds the neighbours of all bodies and predicts all events. Bodies, flights, rules and walls
+  /// have to be set before. `lifetime`: NeighbourLists::build(). A pair is in its well if it is
+  /// closer than the edge. A pair at the edge, to round-off, is in its well if the sorted list
+  /// `inside` contains it.
   void set_up(double lifetime, const std::vector<TagPair>& inside) {
     overrun_ = {-1, -1};
     neighbour_lists_.build(box_, bodies, flights, pairs, walls, end_, lifetime);
@@ -43,17 +43,17 @@ class EventSimulation : public EventPredictor {
     predict_all();
   }
 
-  /// Arranges the bodies anew, between two steps: body n is the one that was old[n], with all that
-  /// it has and predicts, or a new one where that is below 0. Those that are not there are gone.
-  /// The matter and flights of new ones have to be set, and take_in() has to follow.
+  /// Renumbers the bodies between two steps, with their flights and predictions. Body n had the
+  /// number old[n] before; a negative entry is a new body; bodies that are absent are removed. The
+  /// caller sets the properties and flights of new bodies and then calls add_bodies().
   void renumber(const std::vector<int>& old) {
     const BodyRenumbering renumbering(old, bodies.size());
     neighbour_lists_.renumber(renumbering, end_);
     renumber_predictions(renumbering);
   }
 
-  /// Finds neighbours, wells and events of the bodies that arrange() has made, as set_up() does;
-  /// false: that cannot be done, and set_up() has to follow.
+  /// Finds neighbours, wells and events of the new bodies of renumber(), as set_up() does. Returns
+  /// false if that is impossible; the caller then calls set_up().
   bool add_bodies(const std::vector<int>& added, const std::vector<TagPair>& inside) {
     for (const int i : added)
       if (!neighbour_lists_.add(i, flights[i], end_)) return false;
@@ -62,8 +62,8 @@ class EventSimulation : public EventPredictor {
     return true;
   }
 
-  /// Time 0 is at the end of the last step from here on: what is far from it has fewer digits. A
-  /// flight goes on from where it is then.
+  /// Shifts the time origin to the end of the last step, since times far from it lose digits.
+  /// Flights start there.
   void shift_time_origin() {
     const double now = end_;
     for (int i = 0; i < count(); i++) {
@@ -80,13 +80,14 @@ class EventSimulation : public EventPredictor {
     predict_all();
   }
 
-  /// The pairs in their wells and at the edge, in order: what set_up() cannot see.
+  /// The bound pairs at the edges of their wells, sorted: their distances alone do not show whether
+  /// they are bound.
   std::vector<TagPair> bound_pairs_at_edge() const {
     std::vector<int> all(bodies.size());
     std::iota(all.begin(), all.end(), 0);
     return bound_pairs_at_edge(all);
   }
-  /// Those of some bodies.
+  /// The same for the pairs of selected bodies.
   std::vector<TagPair> bound_pairs_at_edge(const std::vector<int>& selected) const {
     std::vector<TagPair> found;
     for (const int i : selected)
@@ -97,7 +98,7 @@ class EventSimulation : public EventPredictor {
     return found;
   }
 
-  /// The next step of the engine begins, of length `dt` [time].
+  /// Begins a step of the engine of length `dt` [time].
   void begin_step(double dt) {
     start_ = end_;
     end_ += dt;
@@ -108,9 +109,9 @@ class EventSimulation : public EventPredictor {
   double end() const { return end_; }
   const PeriodicBox& box() const { return box_; }
 
-  /// A body that others have given another flight since the beginning of the step. `moved`: it has
-  /// been put elsewhere, and wells that it is in or not in are no events. predict() has to follow,
-  /// after all bodies have their flights.
+  /// Sets a flight that the engine has changed at the beginning of the step. `moved`: the engine
+  /// has relocated the body, which enters and leaves wells without events. The caller then calls
+  /// predict(), after all bodies have their flights.
   void change_flight(int body, const FreeFlight& flight, const EventState& event_state,
                      bool moved) {
     set_flight(body, flight, event_state);
@@ -130,11 +131,11 @@ class EventSimulation : public EventPredictor {
       process_next(event_queue_.next().body);
   }
 
-  /// A body with more events in a step than the limit, and its partner in the last of them; -1:
-  /// none. run() stops there.
+  /// A body with more events in a step than the limit, and the partner of the last event; -1: none.
+  /// run() stops there.
   const std::pair<int, int>& overrun() const { return overrun_; }
 
-  /// How the events of a body in this step are counted.
+  /// The state of a body, with its counters reset if they belong to a previous step.
   EventState& state_in_step(int body) {
     EventState& event_state = bodies[body].event_state;
     if (event_state.step != step_) {
@@ -145,8 +146,7 @@ class EventSimulation : public EventPredictor {
     return event_state;
   }
 
-  /// Calls f(i, neighbour) for each body i of this process and neighbour, pairs of two of them
-  /// once.
+  /// Calls f(i, neighbour) for each own body i and each neighbour, once for pairs of own bodies.
   template <class F>
   void for_each_pair(const F& f) const {
     for (int i = 0; i < count(); i++) {
@@ -164,18 +164,19 @@ class EventSimulation : public EventPredictor {
   }
 
  protected:
-  /// Called before an event changes the flights of its bodies, and after that, before their next
-  /// events are predicted.
+  /// Hooks of an event: before it changes the flights of its bodies, and before the next events of
+  /// these are predicted.
   virtual void before_event(const Event& /*event*/) {}
   virtual void after_event(const Event& /*event*/) {}
-  /// Called when a body has come to a new home on its flight, before its next events are predicted.
+  /// Hook: a body has a new bounding neighbourhood on its flight; its next events have not been
+  /// predicted.
   virtual void after_renewal(int /*body*/, double /*now*/) {}
-  /// From when on bodies must be found where they were.
+  /// The time from which on searches must find bodies at their previous positions.
   virtual double search_start(double now) const { return now; }
-  /// Whether the home of a body is one since then.
+  /// Whether the new neighbourhood of a body contains its flight since search_start().
   virtual bool stayed_in_neighbourhood(int /*body*/) const { return true; }
 
-  /// Sets whether a body and its neighbours are in their wells, as set_up() does.
+  /// Sets the flags of a body and its neighbours for their wells, as set_up() does.
   void set_well_flags(int i, const std::vector<TagPair>& inside) {
     for (Neighbour* n = neighbour_lists_.begin(i); n != neighbour_lists_.end(i); n++) {
       if (!n->has_well) continue;
@@ -188,8 +189,7 @@ class EventSimulation : public EventPredictor {
     }
   }
 
-  /// Does what comes first for a body, when its turn has come: an event, or what it has to predict
-  /// again.
+  /// Processes the first item of a body: executes its event, drops a stale one, or predicts again.
   void process_next(int i) {
     PredictedEvents& list = predicted_[i];
     if (list.empty()) {
@@ -221,10 +221,10 @@ class EventSimulation : public EventPredictor {
   std::pair<int, int> overrun_{-1, -1};
 
  private:
-  // A pair nearer to the edge of its well than this fraction of it is at the edge, to round-off.
+  // Relative distance from the edge below which round-off decides on which side of it a pair is.
   static constexpr double edge_round_off = 1e-10;
 
-  /// How far a neighbour is outside of the edge of its well now, as a fraction of that, [1].
+  /// Relative distance of a neighbour beyond the edge of its well, [1].
   double excess_over_edge(int i, const Neighbour& n) const {
     return distance(i, n, end_) / surfaces(i, n.body).edge - 1.0;
   }
@@ -234,9 +234,9 @@ class EventSimulation : public EventPredictor {
             body.radius};
   }
 
-  /// What a body has to do with when it meets a neighbour.
+  /// Arguments of compute_impact() for a body and a neighbour.
   struct ImpactInput {
-    Vector3 separation;        // from the body to it, [length]
+    Vector3 separation;        // from the body to the neighbour, [length]
     CollisionPartner partner;  // the neighbour
     ImpactLaw law;
   };
@@ -293,8 +293,8 @@ class EventSimulation : public EventPredictor {
       overrun_ = {i, j};
   }
 
-  /// Turns an elastic collision of the rule against collapse so that it leaves a cylinder for
-  /// time_off_wall().
+  /// Rotates the velocity after an elastic collision of the rule against collapse so that the body
+  /// leaves a cylinder for minimum_time_off_wall().
   void reflect_off_concave_wall(int i, const Neighbour& pair, const Vector3& k,
                                 ImpactOutcome& now) const {
     const Wall& wall = walls[pair.wall()].motion.wall;
@@ -308,7 +308,8 @@ class EventSimulation : public EventPredictor {
     now.normal_impulse = dot(k, now.impulse);
   }
 
-  /// Turns a capture so that it brings the pair back within the edge, and by the rule of rest.
+  /// Rotates the relative velocity after a capture so that the pair returns within the edge, and by
+  /// the rule of rest.
   void return_within_edge(int i, int j, const CollisionPartner& partner, const Vector3& k,
                           double distance, const MinimumSeparationSpeeds& least,
                           ImpactOutcome& now) const {
@@ -323,14 +324,14 @@ class EventSimulation : public EventPredictor {
     now.normal_impulse = dot(k, now.impulse);
   }
 
-  /// How long an elastic collision keeps a particle off a concave wall, [time].
+  /// Least time between an elastic collision with a concave wall and the next one, [time].
   double minimum_time_off_wall() const {
     return std::max(rules.contact_time,
                     rules.collapse_limit > 0 ? (end_ - start_) / rules.collapse_limit : 0.0);
   }
 
-  /// The least speeds with which a collision parts its partners, by the rule of rest. `depth`: of
-  /// the well between them, [energy].
+  /// The least speeds of separation by the rule of rest. `depth`: of the well of the pair,
+  /// [energy].
   MinimumSeparationSpeeds minimum_speeds(int i, int j, double depth) const {
     MinimumSeparationSpeeds least;
     least.energy_adding =
@@ -349,8 +350,8 @@ class EventSimulation : public EventPredictor {
     return least;
   }
 
-  /// The least depth of the wells of two bodies with any others, [energy]; 0: they have none. By
-  /// these wells bodies that have none with each other can be pressed together.
+  /// The least depth of the wells that two bodies have with any others, [energy]; 0: none. Such
+  /// wells can press two bodies together that have no well with each other.
   double least_well_depth(const HardSphere& a, const HardSphere& b) const {
     double depth = std::min(pairs.least_well_depth(a), pairs.least_well_depth(b));
     for (const HardWall& wall : walls)

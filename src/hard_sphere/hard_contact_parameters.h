@@ -8,7 +8,7 @@
 
 namespace cohesion::hard_sphere {
 
-/// Parameters of the impacts of a pair of materials, as users give them.
+/// Parameters of the impacts of a pair of materials.
 struct HardContactParameters {
   double restitution = 1.0;      ///< e, [1]
   double friction = 0.0;         ///< mu_f, [1]
@@ -17,8 +17,8 @@ struct HardContactParameters {
   ImpactLaw law() const { return {restitution, friction, well.depth}; }
 };
 
-/// Throws InvalidParameter unless law and well are valid and a well that attracts reaches beyond
-/// the core.
+/// Throws InvalidParameter unless core and well are valid, and an attractive well is wider than the
+/// core.
 inline void require_valid(const HardContactParameters& p) {
   require_valid(p.law());
   square_well::require_valid(p.well);
@@ -27,7 +27,8 @@ inline void require_valid(const HardContactParameters& p) {
           "captured pair would have infinitely many events in no time");
 }
 
-/// Unlike materials: geometric means of restitution and friction; the well as square_well::mixed.
+/// Unlike materials: geometric means of restitution and friction; the well as in
+/// square_well::mixed.
 inline HardContactParameters mixed(const HardContactParameters& a, const HardContactParameters& b) {
   return {geometric_mean(a.restitution, b.restitution), geometric_mean(a.friction, b.friction),
           square_well::mixed(a.well, b.well)};

@@ -14,9 +14,9 @@ namespace cohesion::hard_sphere {
 struct ImpactLaw {
   double restitution = 1.0;  ///< e, [1]
   double friction = 0.0;     ///< mu_f, [1]
-  double depth = 0.0;        ///< D, [energy]; 0: hard core alone
+  double depth = 0.0;        ///< D, [energy]; 0: no well
 
-  /// Whether collisions take no energy.
+  /// Whether collisions conserve kinetic energy.
   bool conserves_energy() const { return restitution == 1.0 && friction == 0.0; }
 };
 
@@ -27,26 +27,26 @@ inline void require_valid(const ImpactLaw& law) {
   require_non_negative("depth D of the well", law.depth);
 }
 
-/// The surface that the centre of a partner meets, and the direction in which it crosses.
+/// The surface that the centre of a partner reaches, and the direction in which it crosses.
 enum class Surface { core, edge_inward, edge_outward };
 
 enum class EventKind { collision, approach, escape, capture };
 inline constexpr std::array event_kind_names{"collision", "approach", "escape", "capture"};
 
-/// The outcome of partner j meeting a surface of partner i.
+/// The outcome of partner j reaching a surface of partner i.
 struct ImpactOutcome {
   EventKind kind = EventKind::collision;
-  bool inside = false;          ///< in the well afterwards
+  bool inside = false;          ///< whether the pair is in the well afterwards
   double normal_impulse = 0.0;  ///< J, [momentum], positive repels
-  Vector3 impulse;              ///< impulse, its reverse on i, [momentum]
-  Vector3 spin_impulse;  ///< k x tangential impulse: spins change by -radius twist/I, [momentum]
-  double energy_change = 0.0;     ///< of kinetic energy, rotation included, [energy]
-  double rest_rule_energy = 0.0;  ///< Collision::given_at_rest, [energy]
+  Vector3 impulse;              ///< on j; the reverse acts on i, [momentum]
+  Vector3 spin_impulse;        ///< k x tangential impulse; each spin changes by -radius/I times it,
+                               ///< [momentum]
+  double energy_change = 0.0;  ///< of the kinetic energy with rotation, [energy]
+  double rest_rule_energy = 0.0;  ///< CollisionImpulses::rest_rule_energy, [energy]
 };
 
-/// Computes the impact at a surface; k is the unit vector from i to j (from the particle's centre
-/// to the wall), `least` the speeds of collide(). The laws and their sources: collision.h,
-/// square_well/impulses.h.
+/// Computes the impact at a surface. k: unit vector from i to j, or from the centre of the particle
+/// to the wall; `least`: as in collide(). Laws and sources: collision.h, square_well/impulses.h.
 inline ImpactOutcome compute_impact(Surface surface, const Vector3& k, const ImpactLaw& law,
                                     const CollisionPartner& i, const CollisionPartner& j,
                                     const MinimumSeparationSpeeds& least = {}) {

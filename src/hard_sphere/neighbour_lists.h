@@ -12,16 +12,16 @@
 
 namespace cohesion::hard_sphere {
 
-/// A body or wall that a body may meet before it leaves its home. Small, since there are many: the
-/// distances at which something happens are rounded, to 1e-7 of them.
+/// A body or wall that a body may meet while it is in its bounding neighbourhood. To save memory
+/// the distances are in single precision, with a relative error up to 1e-7.
 struct Neighbour {
   int body;  ///< or -1 - number of the wall
   float core;
-  float edge;  ///< Surfaces, [length]
+  float edge;  ///< SurfaceDistances, [length]
   int image : 29;
   bool has_well : 1;
-  bool inside : 1;  ///< in the well
-  bool former : 1;  ///< perhaps only by a home that one of them had
+  bool inside : 1;  ///< whether the pair is in its well
+  bool former : 1;  ///< perhaps a neighbour only by a former neighbourhood of one of both
 
   SurfaceDistances rounded_surfaces() const { return {core, edge}; }
   bool is_wall() const { return body < 0; }
@@ -29,20 +29,20 @@ struct Neighbour {
 };
 static_assert(sizeof(Neighbour) == 16);
 
-/// Which bodies and walls each body may meet. Each has a home, a sphere that it is in when it gets
-/// it, and which flows with the box; those whose homes are so near that they could meet are
-/// neighbours of each other. A body that leaves its home gets a new one there. Such lists, per
-/// body: F. Smallenburg, Eur. Phys. J. E 45 (2022) 22.
+/// Neighbour lists of all bodies and walls. Two bodies are neighbours if they could meet while both
+/// are in their bounding neighbourhoods. A body that leaves its neighbourhood gets a new one, and
+/// only its own list is rebuilt: A. Donev, S. Torquato, F. H. Stillinger, J. Comput. Phys. 202
+/// (2005) 737; F. Smallenburg, Eur. Phys. J. E 45 (2022) 22.
 class NeighbourLists : public BoundingNeighbourhoods {
  public:
   NeighbourLists() = default;
-  // It points to the bodies, rules and walls of the one whose it is.
+  // Not copied, since it holds pointers to the bodies, rules and walls of a simulation.
   NeighbourLists(const NeighbourLists&) = delete;
   NeighbourLists& operator=(const NeighbourLists&) = delete;
 
-  /// Makes homes and neighbours of all bodies. The box holds all bodies in directions that are not
-  /// periodic. In a box that flows a home lasts for `lifetime` [time]. Bodies, rules and walls stay
-  /// where they are from here on.
+  /// Builds the neighbourhoods and lists of all bodies. The box contains all bodies in directions
+  /// that are not periodic. In a deforming box a neighbourhood is valid for `lifetime` [time]. The
+  /// arguments have to stay at their addresses.
   void build(const PeriodicBox& box, const std::vector<HardSphere>& bodies,
              const std::vector<VersionedFlight>& flights, const PairRules& pairs,
              const std::vector<HardWall>& walls, double now, double lifetime) {
@@ -53,7 +53,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
     build_neighbourhoods(box, bodies, flights, pairs.largest_ratio(), now, lifetime);
     const int count = static_cast<int>(bodies.size());
     last_found_.assign(count, -1);
-    // Pairs once, so that both of a pair agree about it whatever distances round to.
+    // Each pair is tested once, so that round-off cannot enter it in one list only.
     std::vector<int> first_pair(count + 1, 0), capacities(count, 0);
     std::vector<Neighbour> all;
     for (int i = 0; i < count; i++) {
@@ -74,7 +74,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
     }
   }
 
-  /// Time 0 is at the time `now` from here on.
+  /// Shifts the time origin to `now`.
   void shift_time_origin(double now) {
     drop_former_neighbourhoods(now);
     images_.shift_time_origin(now);
@@ -86,28 +86,28 @@ class NeighbourLists : public BoundingNeighbourhoods {
   const Neighbour* begin(int body) const { return lists_.begin(body); }
   const Neighbour* end(int body) const { return lists_.end(body); }
   const PeriodicImage& image(int number) const { return images_[number]; }
-  /// A body, or a wall, whose image is 0; nullptr: it is no neighbour.
+  /// The neighbour of a body; a wall has image 0. nullptr: not in the list.
   Neighbour* find_neighbour(int body, int partner, int image) {
     for (Neighbour* n = begin(body); n != end(body); n++)
       if (n->body == partner && n->image == image) return n;
     return nullptr;
   }
 
-  /// Asks for the memory of a body's home and of where its list is.
+  /// Prefetches the neighbourhood of a body and the address of its list.
   void prefetch_body(int body) const {
     prefetch(neighbourhood(body));
     lists_.prefetch_slice(body);
   }
-  /// Asks for the memory of a list.
+  /// Prefetches a list.
   void prefetch_list(int body) const { prefetch(begin(body), end(body)); }
 
-  /// Notes for both of a pair, or for a body at a wall, whether it is in its well.
+  /// Stores in the lists of both partners whether the pair is in its well.
   void set_inside(int i, Neighbour& n, bool inside) {
     n.inside = inside;
     if (!n.is_wall()) reverse_of(i, n)->inside = inside;
   }
 
-  /// Gives bodies other numbers. For new ones add() has to follow.
+  /// Renumbers bodies. The caller then calls add() for new ones.
   void renumber(const BodyRenumbering& renumbering, double now) {
     drop_former_neighbourhoods(now);
     for (const int i : renumbering.removed()) {
@@ -118,7 +118,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
           remove_pair(i, begin(i));
       remove_from_cells(i, neighbourhood(i));
     }
-    std::vector<int> affected;  // who have neighbours with another number
+    std::vector<int> affected;  // bodies with neighbours that have a new number
     for (const int n : renumbering.changed())
       if (renumbering.old_number(n) >= 0)
         for (const Neighbour* k = begin(renumbering.old_number(n));
@@ -134,8 +134,8 @@ class NeighbourLists : public BoundingNeighbourhoods {
     last_found_.resize(renumbering.count(), -1);
   }
 
-  /// Gives a new body a home and neighbours; false: it is of another size than any body before, and
-  /// all has to be made anew.
+  /// Gives a new body a neighbourhood and a list. Returns false if its size belongs to no size
+  /// class; the caller then calls build().
   bool add(int i, const VersionedFlight& flight, double now) {
     if (!assign_size_class(i)) return false;
     recentre_neighbourhood(i, flight, now, now);
@@ -145,18 +145,18 @@ class NeighbourLists : public BoundingNeighbourhoods {
     return true;
   }
 
-  /// Makes a new home where a body is now, and its list of neighbours: those that it may meet, or
-  /// could have met in this home from the time `since` on, unless that would use up much of what
-  /// the home lasts. Unless has_been_home() all this time, which is asked when the home is there,
-  /// others find it by its former home, too, and it keeps its former neighbours, until
-  /// forget_former_homes().
-  template <class HasBeenHome>
+  /// Gives a body a new neighbourhood at its present position and rebuilds its list. The list
+  /// contains the bodies that it may meet, or could have met since the time `valid_from`, unless
+  /// that would use up much of the lifetime. If has_stayed_inside() is false for the new
+  /// neighbourhood since then, searches find the body by its former neighbourhood, too, and it
+  /// keeps its former neighbours, until drop_former_neighbourhoods().
+  template <class HasStayedInside>
   void renew(int i, const VersionedFlight& flight, double now, double valid_from,
-             const HasBeenHome& stayed_in_neighbourhood) {
+             const HasStayedInside& has_stayed_inside) {
     const BoundingNeighbourhood before = neighbourhood(i);
     if (flow() && now - valid_from > 0.5 * flow().lifetime()) valid_from = now;
     recentre_neighbourhood(i, flight, now, valid_from);
-    const bool keep_former = !stayed_in_neighbourhood();
+    const bool keep_former = !has_stayed_inside();
     if (keep_former)
       former_.push_back({i, before});
     else
@@ -208,7 +208,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
   double bytes() const { return lists_.bytes() + neighbourhood_bytes(); }
 
  private:
-  struct FormerNeighbourhood {  // home
+  struct FormerNeighbourhood {
     int body;
     BoundingNeighbourhood neighbourhood;
   };
@@ -221,19 +221,19 @@ class NeighbourLists : public BoundingNeighbourhoods {
     lists_.add(j, n);
   }
 
-  /// Another neighbour of i takes the place of n.
+  /// Replaces n in the list of i by the last neighbour.
   void remove_pair(int i, Neighbour* n) {
     lists_.remove(n->body, reverse_of(i, *n));
     lists_.remove(i, n);
   }
 
-  /// The same pair in the list of the other body.
+  /// The entry of the same pair in the list of the other body.
   Neighbour* reverse_of(int i, const Neighbour& n) {
     return find_neighbour(n.body, i, images_[n.image].opposite);
   }
 
-  /// Marks the one of found_ that is this neighbour; whether there is one. A body can be there with
-  /// several images.
+  /// Marks the element of found_ that is this neighbour; returns whether there is one. A body can
+  /// be a neighbour with several images.
   bool mark_listed(Neighbour& n) {
     for (int number = last_found_[n.body]; number >= 0; number--)
       if (found_[number].body == n.body && found_[number].image == n.image) {
@@ -255,7 +255,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
                            neighbourhood(j).radius;
       if (square >= reach * reach) return;
       const int image = images_.find_number(boxes);
-      if (!former_.empty())  // found by more than one home
+      if (!former_.empty())  // a search finds a body by several neighbourhoods
         for (const Neighbour& n : found_)
           if (n.body == j && n.image == image) return;
       found_.push_back(make_neighbour(j, surfaces, image));
@@ -263,9 +263,9 @@ class NeighbourLists : public BoundingNeighbourhoods {
     });
   }
 
-  /// Whether a body could meet a neighbour while both are in their homes.
+  /// Whether a body could meet a neighbour while both are in their neighbourhoods.
   bool may_meet(int i, const Neighbour& n, double now) const {
-    constexpr double rounding = 1.0 + 1e-6;  // of the surfaces in lists
+    constexpr double rounding = 1.0 + 1e-6;  // of the surfaces in single precision
     return can_come_within(rounding * std::max(n.core, n.edge), i, n.body,
                            images_[n.image].displacement, now);
   }
@@ -289,7 +289,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
       const auto distance = [&](const Vector3& from) {
         return wall.motion.wall.nearest(from, wall.motion.at(now), 0.0).distance;
       };
-      // A wall is not felt from behind.
+      // A wall acts on one side only.
       if (distance(position) <= 0.0) continue;
       const SurfaceDistances surfaces = wall.surfaces(of);
       const double reach = std::max(surfaces.core, surfaces.edge) + neighbourhood.radius;
@@ -306,8 +306,8 @@ class NeighbourLists : public BoundingNeighbourhoods {
   PackedLists<Neighbour> lists_;
   std::vector<FormerNeighbourhood> former_;
   std::vector<Neighbour> found_, former_walls_;
-  std::vector<char> was_listed_;  // of found_: was a neighbour before
-  std::vector<int> last_found_;   // by body: the last of found_ that is it; -1: none
+  std::vector<char> was_listed_;  // by element of found_
+  std::vector<int> last_found_;   // by body: its last element in found_; -1: none
 };
 
 }  // namespace cohesion::hard_sphere

@@ -10,11 +10,11 @@
 
 namespace cohesion::hard_sphere {
 
-/// Many short lists that grow and shrink, side by side in one piece of memory.
+/// Many short lists of variable length in one contiguous array.
 template <class Item>
 class PackedLists {
  public:
-  /// Empties all and sets their number and the items that each has room for at first.
+  /// Empties all lists and sets their number and initial capacities.
   void reset(const std::vector<int>& capacities) {
     slices_.resize(capacities.size());
     std::size_t first = 0;
@@ -25,7 +25,7 @@ class PackedLists {
     items_.resize(first);
   }
 
-  /// Gives rows other numbers. New ones are empty, and take the room of those that are gone.
+  /// Renumbers lists. New ones are empty and reuse the memory of removed ones.
   void renumber(const BodyRenumbering& renumbering) {
     std::vector<Slice> free;
     for (const int list : renumbering.removed()) free.push_back(slices_[list]);
@@ -37,7 +37,7 @@ class PackedLists {
     }
   }
 
-  /// The room of a row of this size that will grow and shrink.
+  /// Capacity for a list of this size whose size varies.
   static int capacity_for(int size) { return size + 2 + size / 8; }
 
   Item* begin(int list) { return items_.data() + slices_[list].first; }
@@ -45,7 +45,7 @@ class PackedLists {
   const Item* begin(int list) const { return items_.data() + slices_[list].first; }
   const Item* end(int list) const { return begin(list) + slices_[list].size; }
 
-  /// Asks for the memory of where a row is.
+  /// Prefetches the address of a list.
   void prefetch_slice(int list) const { prefetch(slices_[list]); }
 
   void add(int list, const Item& item) {
@@ -54,7 +54,7 @@ class PackedLists {
     items_[r.first + r.size++] = item;
   }
 
-  /// Takes an item out; the last one takes its place.
+  /// Removes an item; the last one replaces it.
   void remove(int list, Item* item) {
     *item = *(end(list) - 1);
     slices_[list].size--;
@@ -71,7 +71,7 @@ class PackedLists {
     int size = 0, capacity = 0;
   };
 
-  /// Gives a row that is full twice the room. The old place stays unused until reset().
+  /// Doubles the capacity of a full list. The previous memory stays unused until reset().
   void relocate_to_end(Slice& r) {
     const std::size_t to = items_.size();
     const int capacity = std::max(4, 2 * r.capacity);

@@ -10,7 +10,7 @@
 
 namespace cohesion::hard_sphere {
 
-/// What happens between bodies of each two kinds, and between which of them nothing does.
+/// Parameters of the impacts for each pair of materials, and the pairs that do not interact.
 class PairRules {
  public:
   explicit PairRules(int materials = 1)
@@ -18,7 +18,7 @@ class PairRules {
         material_pairs_(materials * materials),
         least_well_depths_(materials, never) {}
 
-  /// Sets what happens between kinds i and j; the ratios of the well are those of i and j.
+  /// Sets the parameters of materials i and j; the ratios of the well are those of i and j.
   void set(int i, int j, const HardContactParameters& parameters) {
     material_pair(i, j) = {parameters, parameters.law(), true};
     material_pair(j, i) = {parameters, parameters.law(), true};
@@ -27,14 +27,15 @@ class PairRules {
     for (const int material : {i, j})
       least_well_depths_[material] = std::min(least_well_depths_[material], parameters.well.depth);
   }
-  /// Kinds that pass through each other.
+  /// Excludes impacts between two materials.
   void exclude(int i, int j) {
     material_pair(i, j).interacts = material_pair(j, i).interacts = false;
   }
-  /// Bodies of two groups that pass through each other, by a bit of each group.
+  /// Excludes impacts between bodies of two groups, by a bit of each group.
   void exclude_groups(int bit_a, int bit_b) { excluded_groups_.emplace_back(bit_a, bit_b); }
 
-  /// Pairs that pass through each other, in order, the lower tag first.
+  /// Excludes impacts of pairs of bodies. The list is sorted, with the lower tag first in each
+  /// pair.
   void exclude_pairs(std::vector<TagPair> pairs) { excluded_pairs_ = std::move(pairs); }
 
   const ImpactLaw& law(const HardSphere& a, const HardSphere& b) const {
@@ -48,10 +49,10 @@ class PairRules {
     return {core, square_well::edge(contact.parameters.well, a.radius, b.radius)};
   }
 
-  /// The least depth of the wells that a body has with others, [energy]; `never`: it has none.
+  /// The least depth of the wells of a body with others, [energy]; `never`: no wells.
   double least_well_depth(const HardSphere& a) const { return least_well_depths_[a.material]; }
 
-  /// Whether two bodies can have an event with each other, and this process has to know of it.
+  /// Whether two bodies can have events with each other that this process has to execute.
   bool interact(const HardSphere& a, const HardSphere& b) const {
     if (!material_pair(a.material, b.material).interacts || (a.remote && b.remote) ||
         a.inverse_mass + b.inverse_mass == 0.0)
@@ -67,7 +68,7 @@ class PairRules {
                         });
   }
 
-  /// The largest distance of centres at which something happens over the sum of the radii, [1].
+  /// The largest ratio of a surface distance to the sum of the radii, [1].
   double largest_ratio() const {
     double largest = 1.0;
     for (const MaterialPair& contact : material_pairs_)
@@ -89,22 +90,22 @@ class PairRules {
 
   int materials_;
   std::vector<MaterialPair> material_pairs_;
-  std::vector<double> least_well_depths_;  // by kind
+  std::vector<double> least_well_depths_;  // by material
   std::vector<std::pair<int, int> > excluded_groups_;
   std::vector<TagPair> excluded_pairs_;
 };
 
-/// A wall in uniform motion, and what happens between it and bodies of each kind.
+/// A wall in uniform motion with the parameters of its impacts for each material.
 struct HardWall {
   struct WallContact {
     ImpactLaw law;
-    double ratio = 1.0;  ///< of the edge of its well to the radius of a body, [1]
+    double ratio = 1.0;  ///< of the edge of the well to the radius of a body, [1]
   };
 
   MovingWall motion;
   std::vector<WallContact> by_material;
-  int group_bits = -1;  ///< bits of the groups that it acts on
-  bool moves = false;   ///< not always at the same place
+  int group_bits = -1;  ///< bit mask of the groups that the wall acts on
+  bool moves = false;   ///< whether its position changes
 
   const ImpactLaw& law(const HardSphere& a) const { return by_material[a.material].law; }
   SurfaceDistances surfaces(const HardSphere& a) const {

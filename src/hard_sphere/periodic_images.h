@@ -11,20 +11,21 @@
 
 namespace cohesion::hard_sphere {
 
-/// Periodic image of a body: what it adds to a place and to a velocity.
+/// Periodic image of a body: offsets of its position and velocity.
 struct PeriodicImage {
   Vector3 displacement;  ///< at time 0, [length]
   Vector3 velocity;      ///< [length/time]
-  int opposite = 0;      ///< the number of the opposite one
-  Vector3 boxes;         ///< how many boxes away it is
+  int opposite = 0;      ///< number of the opposite image
+  Vector3 boxes;         ///< offset in boxes along each edge
 
   Vector3 displacement_at(double time) const { return displacement + time * velocity; }
 };
 
-/// The images in which bodies meet, numbered as they are asked for. Number 0 is no box away.
+/// The images that occur in neighbour lists, numbered in the order of their first use. Image 0 has
+/// no offset.
 class PeriodicImages {
  public:
-  /// Forgets all, and takes those of another box from here on.
+  /// Discards all images, and sets the box.
   void reset(const PeriodicBox& box) {
     box_ = box;
     images_.assign(1, PeriodicImage{});
@@ -32,7 +33,7 @@ class PeriodicImages {
     far_numbers_.clear();
   }
 
-  /// Time 0 is at the time `now` from here on.
+  /// Shifts the time origin to `now`.
   void shift_time_origin(double now) {
     box_.edges = box_.edges_at(now);
     for (PeriodicImage& image : images_) image.displacement = box_.edges * image.boxes;
@@ -40,7 +41,7 @@ class PeriodicImages {
 
   const PeriodicImage& operator[](int number) const { return images_[number]; }
 
-  /// The number of the image that is some boxes away.
+  /// The number of the image with an offset in boxes; a new one if it has none yet.
   int find_number(const std::array<int, 3>& boxes) {
     const auto [x, y, z] = boxes;
     if (x == 0 && y == 0 && z == 0) return 0;
@@ -55,7 +56,8 @@ class PeriodicImages {
   }
 
  private:
-  /// Where the number of an image is kept; 0: it has none yet. The place stays when others come.
+  /// Where the number of an image is stored; 0: none yet. The reference stays valid when others are
+  /// added.
   int& number_slot(int x, int y, int z) {
     if (std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(z) <= 1)
       return near_numbers_[(x + 1) + 3 * (y + 1) + 9 * (z + 1)];
@@ -70,7 +72,7 @@ class PeriodicImages {
 
   PeriodicBox box_;
   std::vector<PeriodicImage> images_;
-  // Numbers: of the 26 boxes around, which are nearly all that are asked for, and of others.
+  // Numbers of the 26 adjacent boxes, which are nearly all that occur, and of boxes farther away.
   std::array<int, 27> near_numbers_{};
   std::unordered_map<std::int64_t, int> far_numbers_;
 };

@@ -8,19 +8,18 @@
 
 namespace cohesion::hard_sphere {
 
-/// What will happen between a body and a partner unless one of them changes its flight before.
+/// Event of a body with a partner, valid unless one of both changes its flight before.
 struct PredictedEvent {
   double time;            ///< [time]
   int partner;            ///< body, or -1 - number of the wall
-  std::uint32_t version;  ///< of the partner's flight that this is true for
+  std::uint32_t version;  ///< of the flight of the partner at the prediction
   int image;              ///< of the partner
   Surface surface;
 };
 
-/// The next events of a body, in order of time: all that come before the horizon. At the horizon
-/// they have to be predicted anew. Event lists of M. N. Bannerman et al., J.
-/// Comput. Chem. 32 (2011) 3329: to keep more than the first saves most of the predictions that a
-/// change of the partner would ask for.
+/// The next events of a body in order of time: all before the horizon. At the horizon they have to
+/// be predicted again. Event lists: M. N. Bannerman et al., J. Comput. Chem. 32 (2011) 3329.
+/// Keeping several events avoids most of the predictions after a change of the partner.
 class alignas(64) PredictedEvents {
  public:
   void reset(double horizon) {
@@ -40,7 +39,7 @@ class alignas(64) PredictedEvents {
     return true;
   }
 
-  /// Gives partners other numbers; false: one is gone.
+  /// Renumbers partners. Returns false if one has been removed.
   bool renumber(const BodyRenumbering& renumbering) {
     for (int n = 0; n < count_; n++) {
       int& partner = events_[n].partner;
@@ -56,7 +55,7 @@ class alignas(64) PredictedEvents {
     for (int n = 0; n < count_; n++) events_[n] = events_[n + 1];
   }
 
-  /// Adds an event. `before(a, b)`: whether event a comes before event b of the same time.
+  /// Adds an event. before(a, b): whether event a precedes event b of the same time.
   template <class Before>
   void add(const PredictedEvent& event, const Before& before) {
     if (event.time > horizon_) return;
@@ -66,7 +65,7 @@ class alignas(64) PredictedEvents {
                                      before(event, events_[position_in_list - 1]))))
       position_in_list--;
     if (count_ == capacity) {
-      // What finds no room is the horizon.
+      // The earliest event beyond the capacity becomes the horizon.
       horizon_ = position_in_list == capacity ? event.time : events_[capacity - 1].time;
       if (position_in_list == capacity) return;
       count_--;
