@@ -4,26 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <string>
-#include <tuple>
 
 #include "atom.h"
-#include "bound_pairs.h"
 #include "box_shear.h"
 #include "comm.h"
-#include "distinct_places.h"
 #include "domain.h"
 #include "error.h"
-#include "force.h"
 #include "group.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
-#include "pair_hard_square_well.h"
-#include "rerun.h"
-#include "special_pairs.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -33,10 +25,8 @@ using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
 static constexpr int OWNER_SIZE = 2;
-// Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
-static constexpr double OVERLAP = 1e-6;
-// Steps after which the clock starts anew where somebody has gone out of the box, so that places
-// keep their digits.
+// Steps between resets of the simulation time if particles have left the box. A reset wraps
+// positions, which lose digits far from the box.
 static constexpr int STEPS_BETWEEN_RESETS = 100;
 
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
@@ -79,148 +69,16 @@ int FixHardEvents::setmask() {
   return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE;
 }
 
-void FixHardEvents::init() {
-  pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
-  if (!pair_)
-    error->all(FLERR,
-               "fix wall/hard/square_well, compute hard/events and compute hard/stress go with "
-               "'pair_style hard/square_well'; give it first");
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR,
-               "pair_style hard/square_well acts over the whole step; use 'run_style verlet'");
-  if (force->newton_pair)
-    error->all(FLERR,
-               "pair_style hard/square_well follows every pair on both sides; put 'newton off' "
-               "before the box is made");
-  if (comm->ghost_velocity == 0)
-    error->all(FLERR,
-               "pair_style hard/square_well needs the velocities of ghost particles; add "
-               "'comm_modify vel yes'");
-  if (neighbor->nex_mol > 0)
-    error->all(FLERR,
-               "pair_style hard/square_well does not know 'neigh_modify exclude molecule'; exclude "
-               "types or groups");
-  refuse_rerun(lmp, "pair_style hard/square_well");
-  mobile_.look_up(lmp);
-  require_whole_holds(lmp, "pair_style hard/square_well", true);
-  walls_.clear();
-  needs_ghosts_ = comm->nprocs > 1 || utils::strmatch(force->pair_style, "^hybrid");
-  for (int i = 0; i < modify->nfix; i++) {
-    Fix* const fix = modify->fix[i];
-    if (fix->rigid_flag)
-      error->all(FLERR,
-                 std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
-                     fix->id + ")");
-    if (auto* walls = dynamic_cast<HardWallSource*>(fix)) walls_.push_back(walls);
-    if (dynamic_cast<BoundPairsReader*>(fix)) needs_ghosts_ = true;
-  }
-  if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
-  simulation_.rules = pair_->rules();
-  simulation_.single_process = comm->nprocs == 1;
-  wrap_far_particles();
-}
-
-/// Notes the kicks of this step, whose forces the engine clears before pre_force.
+/// Stores the velocity changes of this step, since the engine clears forces before pre_force.
 void FixHardEvents::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++)
     particle_data_[i][SPEED_INCREMENT] = speed_increment(
         vector(atom->f[i]), mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
 }
 
-/// The run starts here: nothing has moved.
-void FixHardEvents::setup_pre_force(int) {
-  round_positions();
-  set_rules();
-  auto is_known = gather_bound_pairs_at_edge();
-  apply_new_tags(is_known);
-  bound_at_edge_.insert(bound_at_edge_.end(), is_known.begin(), is_known.end());
-  std::sort(bound_at_edge_.begin(), bound_at_edge_.end());
-  reset_simulation_time(0.0);
-  load_all(0.0);
-  require_distinct_positions();
-  set_up_events();
-  warn_of_overlaps();
-  next_reneighbor = update->ntimestep + 1;
-  reset_in_next_step_ = true;
-}
-
-/// Stops at two bodies in one place, ghosts included.
-void FixHardEvents::require_distinct_positions() const {
-  std::vector<int> order(atom->nlocal + atom->nghost);
-  std::iota(order.begin(), order.end(), 0);
-  const auto position = [this](int i) {
-    const double* const x = atom->x[i];
-    return std::make_tuple(x[0], x[1], x[2]);
-  };
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return position(i) < position(j); });
-  for (std::size_t n = 1; n < order.size(); n++) {
-    const int i = order[n - 1], j = order[n];
-    if (position(i) == position(j) &&
-        simulation_.pairs.interact(body_properties(i), body_properties(j)))
-      refuse_one_place(lmp, "pair_style hard/square_well", i, j);
-  }
-}
-
-/// What happens between which types, as the script has it.
-void FixHardEvents::set_rules() {
-  const int materials = atom->ntypes + 1;
-  simulation_.pairs = PairRules(materials);
-  for (int i = 0; i < materials; i++)
-    for (int j = i; j < materials; j++) {
-      if (i > 0 && pair_->acts_between(i, j))
-        simulation_.pairs.set(i, j, pair_->contact(i, j));
-      else
-        simulation_.pairs.exclude(i, j);
-    }
-  for (int n = 0; n < neighbor->nex_type; n++)
-    simulation_.pairs.exclude(neighbor->ex1_type[n], neighbor->ex2_type[n]);
-  for (int n = 0; n < neighbor->nex_group; n++)
-    simulation_.pairs.exclude_groups(neighbor->ex1_bit[n], neighbor->ex2_bit[n]);
-  if (atom->nspecial) simulation_.pairs.exclude_pairs(excluded_bonded_pairs());
-}
-
-/// Collective: the pairs between which bonds stand and of which special_bonds says that they do not
-/// act on each other, in order.
-FixHardEvents::PairsByTag FixHardEvents::excluded_bonded_pairs() const {
-  const double* const factors = special_factors(lmp, pair_);
-  PairsByTag mine;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int bonds = 1, n = 0; bonds <= 3; bonds++)
-      for (; n < atom->nspecial[i][bonds - 1]; n++)
-        if (factors[bonds] == 0.0 && atom->tag[i] < atom->special[i][n])
-          mine.push_back({atom->tag[i], atom->special[i][n]});
-  std::sort(mine.begin(), mine.end());
-  return gather_pairs(mine);
-}
-
-/// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for
-/// their energy.
-void FixHardEvents::warn_of_overlaps() const {
-  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
-  simulation_.for_each_pair([&](int i, const Neighbour& n) {
-    if (n.is_wall()) return;  // their fixes warn of these
-    if (simulation_.bodies[n.body].tag < simulation_.bodies[i].tag &&
-        simulation_.bodies[n.body].remote)
-      return;
-    const double overlap =
-        1.0 - simulation_.distance(i, n, simulation_.end()) / simulation_.surfaces(i, n.body).core;
-    if (overlap < OVERLAP) return;
-    mine[0] += 1.0;
-    mine[1] = std::max(mine[1], overlap);
-  });
-  MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
-  if (all[0] > 0.0 && comm->me == 0)
-    error->warning(FLERR,
-                   "pair_style hard/square_well: {} pairs of hard cores overlap, "
-                   "up to {} of the distance; they collide at once where they approach. Start from "
-                   "particles that do not overlap",
-                   static_cast<bigint>(all[0]), all[1]);
-}
-
-/// Does in the step of a restart file what a run does that continues from it: that begins with
-/// particles in the box and makes its list anew in its first step. So both wrap particles into the
-/// box at the same times and round alike.
+/// Makes the step of a restart file equal to the first step of a run that continues from it. Such a
+/// run starts with wrapped particles and builds its list in its first step. So both runs wrap
+/// particles at the same steps and round alike.
 void FixHardEvents::prepare_restart_step() {
   if (update->ntimestep != output->next_restart) return;
   wrap_into_box(atom, domain);
@@ -229,9 +87,9 @@ void FixHardEvents::prepare_restart_step() {
   reset_in_next_step_ = true;
 }
 
-/// Rounds positions in a tilted box. A run begins there with positions that the engine has
-/// transformed to the box's own coordinates and back, once more than where the file was written:
-/// some roundings, each a few 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
+/// Rounds positions in a tilted box. A run that starts from a restart file has transformed
+/// positions to box coordinates and back once more than the run that wrote it. Each transformation
+/// has an error of a few 2^-53 of the box; rounding to 2^-44 of the box removes the difference.
 void FixHardEvents::round_positions() {
   if (!domain->triclinic) return;
   const double unit = std::ldexp(1.0, std::ilogb(std::max(domain->prd[0], domain->prd[1])) - 44);
@@ -245,7 +103,7 @@ static bool has_dynamic_groups(const Group* group) {
 }
 
 /// The bits of the groups that decide which particles have events with each other or with walls.
-static int groups_of_events(const std::vector<HardWall>& walls, const Neighbor* neighbor) {
+static int event_group_bits(const std::vector<HardWall>& walls, const Neighbor* neighbor) {
   int bits = 0;
   for (const HardWall& wall : walls) bits |= wall.group_bits;
   for (int n = 0; n < neighbor->nex_group; n++) bits |= neighbor->ex1_bit[n] | neighbor->ex2_bit[n];
@@ -291,9 +149,9 @@ void FixHardEvents::pre_force(int) {
   store_events();
   store_flights();
   if (needs_ghosts_) check_neighbour_list();
-  // A dynamic group can release a particle, or hold it, between two lists.
+  // A dynamic group can change the mobility of a particle between two lists.
   if (has_dynamic_groups(group)) {
-    const int groups = groups_of_events(simulation_.walls, neighbor);
+    const int groups = event_group_bits(simulation_.walls, neighbor);
     int mine = 0, all = 0;
     for (int i = 0; i < atom->nlocal && !mine; i++) {
       const HardSphere& before = simulation_.bodies[i];
@@ -307,8 +165,8 @@ void FixHardEvents::pre_force(int) {
   prepare_restart_step();
 }
 
-/// Collective: whether the clock has gone for long, and a particle has gone out of the box since it
-/// was started.
+/// Collective: whether enough steps have passed since the last reset of the simulation time, and a
+/// particle has left the box since.
 bool FixHardEvents::time_reset_is_due() {
   if (++steps_since_reset_ <= STEPS_BETWEEN_RESETS) return false;
   steps_since_reset_ = 0;
@@ -318,7 +176,7 @@ bool FixHardEvents::time_reset_is_due() {
   return all;
 }
 
-/// Predicts the events of those whose flights others have changed, on all processes.
+/// Collective: predicts the events of bodies whose flights the engine has changed on any process.
 void FixHardEvents::predict_changed_bodies() {
   int mine[2] = {!changed_bodies_.empty(), !warned_ && totals_.elastic > 0.0}, all[2];
   if (comm->nprocs == 1)
@@ -378,7 +236,7 @@ void FixHardEvents::copy_arrays(int i, int j, int) {
   std::copy_n(particle_data_[i], DATA_COLUMNS, particle_data_[j]);
 }
 
-/// A particle whose flight is not known yet.
+/// A NaN marks a particle without a stored flight.
 void FixHardEvents::set_arrays(int i) {
   std::fill_n(particle_data_[i], DATA_COLUMNS, 0.0);
   particle_data_[i][START_TIME] = std::nan("");
@@ -394,8 +252,8 @@ int FixHardEvents::unpack_exchange(int i, double* buf) {
   return DATA_COLUMNS;
 }
 
-/// The pairs at the edges of their wells, by tags: of these the places do not tell whether they are
-/// inside.
+/// Writes the tags of bound pairs at the edges of their wells, since their distances do not show
+/// whether they are bound.
 void FixHardEvents::write_restart(FILE* fp) {
   const auto pairs = gather_bound_pairs_at_edge();
   if (comm->me != 0) return;

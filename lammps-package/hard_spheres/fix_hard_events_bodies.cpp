@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixHardEvents that keeps the bodies of the simulation those that this process has and
-// those that it shares with others.
+// The part of FixHardEvents that updates the bodies of the simulation: the own particles and those
+// shared with other processes.
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -16,11 +16,12 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// Strain of the box for which a particle's neighbours are found: the more, the more of them.
+// Strain of the box during the lifetime of a bounding neighbourhood. A larger strain means longer
+// neighbour lists that are rebuilt less often.
 static constexpr double NEIGHBOURHOOD_STRAIN = 0.4;
 
-/// Whether the bodies of the simulation are the own particles, in the same order and of the same
-/// matter.
+/// Whether the bodies of the simulation are the own particles, in the same order and with the same
+/// properties.
 bool FixHardEvents::has_same_bodies() const {
   if (static_cast<int>(simulation_.bodies.size()) != atom->nlocal) return false;
   for (int i = 0; i < atom->nlocal; i++)
@@ -37,7 +38,7 @@ void FixHardEvents::load_all(double dt) {
   time_warp_.exchange_flights();
 }
 
-/// Loads all own bodies, and the remote ones but for their flights.
+/// Loads all own bodies with their flights, and the properties of remote ones.
 void FixHardEvents::load_bodies(const RemoteParticles& remote, double dt) {
   simulation_.bodies.assign(atom->nlocal + remote.size(), HardSphere{});
   simulation_.flights.resize(simulation_.bodies.size());
@@ -46,9 +47,9 @@ void FixHardEvents::load_bodies(const RemoteParticles& remote, double dt) {
     simulation_.bodies[request.local] = body_properties(ghost);
 }
 
-/// Collective: takes the bodies that the engine has now, before a step of length `dt` begins: those
-/// that were there before stay as they are. Returns whether that could be done; if not, all are
-/// loaded, and set_up_events() has to follow.
+/// Collective: replaces the bodies by the present particles of the engine, before a step of length
+/// `dt` begins; bodies that remain keep their predictions. Returns false if that is impossible;
+/// then all bodies have been loaded, and the caller calls set_up_events().
 bool FixHardEvents::update_bodies(double dt) {
   RemoteParticles remote = find_remote_particles();
   const NumbersByTag displaced = displaced_bodies();
@@ -56,7 +57,7 @@ bool FixHardEvents::update_bodies(double dt) {
   request_remote_particles(remote);
   std::vector<int> old, added;
   bool same = true;
-  const auto add_body = [&](int i) {
+  const auto enter_body = [&](int i) {
     const HardSphere now = body_properties(i);
     const int number = static_cast<int>(old.size());
     const int last = find_body(now, number, displaced);
@@ -66,8 +67,8 @@ bool FixHardEvents::update_bodies(double dt) {
       added.push_back(number);
     old.push_back(last);
   };
-  for (int i = 0; i < atom->nlocal; i++) add_body(i);
-  for (const auto& [ghost, request] : remote) add_body(ghost);
+  for (int i = 0; i < atom->nlocal; i++) enter_body(i);
+  for (const auto& [ghost, request] : remote) enter_body(ghost);
   update_bound_at_edge(displaced, old);
   if (!same) {
     add_own_bound_at_edge();
@@ -90,7 +91,7 @@ bool FixHardEvents::update_bodies(double dt) {
   return false;
 }
 
-/// The number that the simulation has for a body, which may be `number`; -1: none.
+/// The number of a body in the simulation, which is probably `number`; -1: none.
 int FixHardEvents::find_body(const HardSphere& now, int number,
                              const NumbersByTag& displaced) const {
   const auto matches = [&](int n) {
@@ -102,7 +103,7 @@ int FixHardEvents::find_body(const HardSphere& now, int number,
   return found != displaced.end() && matches(found->second) ? found->second : -1;
 }
 
-/// The bodies that are not the own particles of the same numbers.
+/// The bodies except the own particles that have kept their numbers.
 FixHardEvents::NumbersByTag FixHardEvents::displaced_bodies() const {
   NumbersByTag displaced;
   for (int n = 0; n < static_cast<int>(simulation_.bodies.size()); n++) {
@@ -112,30 +113,30 @@ FixHardEvents::NumbersByTag FixHardEvents::displaced_bodies() const {
   return displaced;
 }
 
-/// Arranges remote particles so that those that were there before, by tag, keep their numbers where
-/// that can be.
+/// Reorders remote particles so that those of the last step, by tag, keep their numbers where
+/// possible.
 void FixHardEvents::preserve_numbers(RemoteParticles& remote, const NumbersByTag& displaced) const {
   constexpr int nobody = -1;
-  RemoteParticles arranged(remote.size(), {nobody, {}}), others;
+  RemoteParticles reordered(remote.size(), {nobody, {}}), others;
   for (const auto& particle : remote) {
     const auto found = displaced.find(atom->tag[particle.first]);
     const int n = found == displaced.end() ? -1 : found->second - atom->nlocal;
     if (n >= 0 && n < static_cast<int>(remote.size()) && simulation_.bodies[found->second].remote)
-      arranged[n] = particle;
+      reordered[n] = particle;
     else
       others.push_back(particle);
   }
-  for (auto& particle : arranged)
+  for (auto& particle : reordered)
     if (particle.first == nobody) {
       particle = others.back();
       others.pop_back();
     }
-  for (std::size_t n = 0; n < arranged.size(); n++)
-    arranged[n].second.local = atom->nlocal + static_cast<int>(n);
-  remote = std::move(arranged);
+  for (std::size_t n = 0; n < reordered.size(); n++)
+    reordered[n].second.local = atom->nlocal + static_cast<int>(n);
+  remote = std::move(reordered);
 }
 
-/// What the engine says of a particle or ghost, apart from its motion.
+/// Properties of a particle or ghost, without its motion.
 HardSphere FixHardEvents::body_properties(int i) const {
   HardSphere b;
   b.inverse_mass = mobile_.inverse_mass(atom->mask[i], atom->rmass[i]);
@@ -149,23 +150,23 @@ HardSphere FixHardEvents::body_properties(int i) const {
   return b;
 }
 
-/// Collective: the particles of other processes that are ghosts here, with one ghost of each; their
-/// bodies follow the own ones.
+/// Collective: the particles of other processes that have ghosts here, each with one ghost. Their
+/// bodies have the numbers after the own ones.
 FixHardEvents::RemoteParticles FixHardEvents::find_remote_particles() {
   RemoteParticles remote;
   if (comm->nprocs == 1) return remote;
   send_owners();
-  std::unordered_set<std::int64_t> is_known;
+  std::unordered_set<std::int64_t> tags_found;
   for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++) {
     const auto owner = static_cast<int>(owners_[i][0]), index = static_cast<int>(owners_[i][1]);
-    if (owner == comm->me || !is_known.insert(atom->tag[i]).second) continue;
+    if (owner == comm->me || !tags_found.insert(atom->tag[i]).second) continue;
     const int body = atom->nlocal + static_cast<int>(remote.size());
     remote.push_back({i, {owner, index, body}});
   }
   return remote;
 }
 
-/// Collective: asks the owners of remote particles for what these do.
+/// Collective: requests remote particles from their owners.
 void FixHardEvents::request_remote_particles(const RemoteParticles& remote) {
   if (comm->nprocs == 1) return;
   std::vector<BorderExchange::ParticleRequest> requests;
@@ -173,7 +174,7 @@ void FixHardEvents::request_remote_particles(const RemoteParticles& remote) {
   time_warp_.set_remote_particles(requests);
 }
 
-/// Tells ghosts whose they are.
+/// Sends the owners and indices of particles to their ghosts.
 void FixHardEvents::send_owners() {
   for (int i = 0; i < atom->nlocal; i++) {
     owners_[i][0] = comm->me;
@@ -189,14 +190,13 @@ void FixHardEvents::set_up_events() {
   simulation_.set_up(rate > 0.0 ? NEIGHBOURHOOD_STRAIN / rate : never, bound_at_edge_);
 }
 
-/// Collective: the pairs in their wells and at the edge of all processes, in order.
+/// Collective: the bound pairs at the edges of their wells on all processes, sorted.
 FixHardEvents::PairsByTag FixHardEvents::gather_bound_pairs_at_edge() const {
   return gather_pairs(simulation_.bound_pairs_at_edge());
 }
 
-/// Collective: sets inside_ to the pairs in their wells and at the edge that other processes may
-/// not know yet: those of own bodies that they have got or have now. `old`: EventSimulation::
-/// arrange().
+/// Collective: sets bound_at_edge_ to the bound pairs at the edge that can be new to a process:
+/// those of own bodies that have migrated or that are shared. `old`: EventSimulation::renumber().
 void FixHardEvents::update_bound_at_edge(const NumbersByTag& displaced,
                                          const std::vector<int>& old) {
   std::vector<int> bodies_to_check;
@@ -207,7 +207,7 @@ void FixHardEvents::update_bound_at_edge(const NumbersByTag& displaced,
   bound_at_edge_ = gather_pairs(simulation_.bound_pairs_at_edge(bodies_to_check));
 }
 
-/// Adds those to inside_ that this process knows.
+/// Adds the bound pairs at the edge of this process to bound_at_edge_.
 void FixHardEvents::add_own_bound_at_edge() {
   const auto own = simulation_.bound_pairs_at_edge();
   bound_at_edge_.insert(bound_at_edge_.end(), own.begin(), own.end());
@@ -218,7 +218,7 @@ void FixHardEvents::store_tags() {
   for (int i = 0; i < atom->nlocal; i++) particle_data_[i][TAG] = static_cast<double>(atom->tag[i]);
 }
 
-/// Collective: gives `pairs` of the last run the tags that particles have now.
+/// Collective: replaces the tags in `pairs` of the previous run by the present ones.
 void FixHardEvents::apply_new_tags(PairsByTag& pairs) {
   std::vector<tagint> before;
   for (int i = 0; i < atom->nlocal; i++)
@@ -233,13 +233,13 @@ void FixHardEvents::apply_new_tags(PairsByTag& pairs) {
   PairsByTag now;
   for (std::size_t k = 0; k < pairs.size(); k++) {
     const std::int64_t i = tags[2 * k], j = pairs[k].j < 0 ? pairs[k].j : tags[2 * k + 1];
-    if (i == 0 || j == 0) continue;  // one is gone
+    if (i == 0 || j == 0) continue;  // a particle has been deleted
     now.push_back(j < 0 ? TagPair{i, j} : TagPair{std::min(i, j), std::max(i, j)});
   }
   pairs = std::move(now);
 }
 
-/// Collective: the pairs of all processes, in order.
+/// Collective: the pairs of all processes, sorted.
 FixHardEvents::PairsByTag FixHardEvents::gather_pairs(const PairsByTag& mine) const {
   if (comm->nprocs == 1) return mine;
   const int bytes = static_cast<int>(mine.size() * sizeof(TagPair));
@@ -253,11 +253,11 @@ FixHardEvents::PairsByTag FixHardEvents::gather_pairs(const PairsByTag& mine) co
   return all;
 }
 
-/// Collective: the pairs that are in their wells after the events of the step; those through the
-/// boundary from both sides.
+/// Collective: the pairs in their wells after the events of the step. Pairs across a periodic
+/// boundary are included from both sides.
 std::vector<FixHardEvents::PairInWell> FixHardEvents::pairs_in_wells() {
   send_owners();
-  // The copies of a body here, the own one first
+  // The own particle and the ghosts of a body, the own one first
   std::unordered_map<tagint, std::vector<int> > copies;
   std::vector<PairInWell> pairs;
   simulation_.for_each_pair([&](int i, const Neighbour& n) {

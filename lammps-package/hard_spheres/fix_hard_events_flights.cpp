@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixHardEvents that brings flights, bodies and walls from the engine to the
+// The part of FixHardEvents that transfers flights, bodies and walls from the engine to the
 // simulation.
 #include <algorithm>
 #include <cmath>
@@ -19,17 +19,17 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// By how much numbers of a flight may differ from the engine's that has gone the same way, in units
-// in the last place of a box length: some roundings on each side.
+// Difference between the flight of the simulation and the straight motion of the engine, as a
+// fraction of the box length: some roundings on each side.
 static constexpr double ROUND_OFF = 64.0 * std::numeric_limits<double>::epsilon();
-// A particle that is farther than this from where it was, in radii, has been put there.
+// Displacement from the flight, in radii, above which the engine has relocated a particle.
 static constexpr double RELOCATION_DISTANCE = 0.1;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
-// How far outside the box the engine's own wrapping, which is by one box, is left to work, in
-// boxes: not to the end, where it rounds.
+// Distance outside the box, in boxes, up to which the wrapping of the engine is sufficient. It
+// shifts by one box at most; half a box leaves a margin for round-off.
 static constexpr double WRAPPED_BY_ENGINE = 0.5;
 
-/// The bits of image flags of an axis.
+/// The image flag of an axis, as stored bits.
 static imageint flag(imageint image, int axis) {
   return (image >> (axis == 0 ? 0 : axis == 1 ? IMGBITS : IMG2BITS)) & IMGMASK;
 }
@@ -46,7 +46,7 @@ void FixHardEvents::pre_exchange() {
   wrap_far_particles();
 }
 
-/// Stops where a particle flies a box length in a step.
+/// Stops if the flight of a particle in one step is longer than the box.
 void FixHardEvents::require_flights_within_box() const {
   for (int axis = 0; axis < 3; axis++)
     for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
@@ -58,8 +58,8 @@ void FixHardEvents::require_flights_within_box() const {
                    domain -> prd[axis]);
 }
 
-/// By how much the boundaries of an axis are farther along it at this place than in the box's
-/// corner: they lean towards the axes above where the box is tilted.
+/// Shift of the boundaries of an axis at a position relative to the corner of the box, since the
+/// boundaries of a tilted box depend on the other axes.
 static double boundary_shift(const Domain* domain, int axis, const Vector3& x) {
   if (!domain->triclinic || axis == 2) return 0.0;
   const double up = (x.z - domain->boxlo[2]) / domain->prd[2];
@@ -68,19 +68,19 @@ static double boundary_shift(const Domain* domain, int axis, const Vector3& x) {
   return back * domain->xy + up * domain->xz;
 }
 
-/// How near to a boundary the engine may round a place in a tilted box to the other side, on its
-/// way to the box's own coordinates and back.
+/// Distance from a boundary within which the engine may round a position to the other side, by its
+/// transformation to the coordinates of a tilted box and back.
 static double boundary_width(const Domain* domain, int axis) {
   if (!domain->triclinic) return 0.0;
   const double tilts = std::abs(domain->xy) + std::abs(domain->xz) + std::abs(domain->yz);
   return ROUND_OFF * (domain->prd[axis] + tilts + std::abs(domain->boxlo[axis]));
 }
 
-/// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
-/// their event turns them round: they would be lost before. One that was outside before the step is
-/// lost as in any run.
+/// Clamps particles to the boundary whose free flight leads through a wall out of the box, since
+/// the engine would delete them before their event reverses them. A particle that was outside
+/// before the step is deleted as in any run.
 void FixHardEvents::clamp_to_boundary() {
-  // Each axis after those towards which its boundaries lean.
+  // An axis comes after the axes on which its boundaries depend.
   for (int axis = 2; axis >= 0; axis--) {
     const double low = domain->boxlo[axis], high = domain->boxhi[axis];
     const double width = boundary_width(domain, axis);
@@ -102,12 +102,11 @@ void FixHardEvents::clamp_to_boundary() {
   }
 }
 
-/// Wraps particles that are far outside the box: the engine wraps by one box, and an event at the
-/// end of a flight may lead back over more than that from where it had wrapped the free flight's
-/// end.
+/// Wraps particles that are far outside the box. The engine shifts by one box at most, but an event
+/// near the end of a flight can lead back by more than one box from the wrapped position.
 void FixHardEvents::wrap_far_particles() { wrap_into_box(atom, domain, WRAPPED_BY_ENGINE); }
 
-/// Puts particles back to where hold_at_boundary() took them from.
+/// Restores the positions that clamp_to_boundary() has changed.
 void FixHardEvents::restore_clamped_positions() {
   for (int i = 0; i < atom->nlocal; i++)
     for (int axis = 0; axis < 3; axis++) {
@@ -116,22 +115,22 @@ void FixHardEvents::restore_clamped_positions() {
     }
 }
 
-/// By how many boxes a particle has gone out of the box since the clock was started. Flags begin
-/// anew when they run out of bits.
+/// Number of boxes along each axis by which a particle has left the box since the last reset of the
+/// simulation time. The difference is taken modulo the range of image flags, which overflow.
 Vector3 FixHardEvents::boxes_crossed(int i) const {
   const auto before = static_cast<imageint>(ubuf(particle_data_[i][IMAGE]).i);
   const imageint now = atom->image[i];
   if (now == before) return {};
-  const auto gone = [&](int axis) {
+  const auto crossed = [&](int axis) {
     const imageint difference = flag(now, axis) - flag(before, axis);
     return static_cast<double>(((difference + IMGMAX) & IMGMASK) - IMGMAX);
   };
-  return {gone(0), gone(1), gone(2)};
+  return {crossed(0), crossed(1), crossed(2)};
 }
 
 void FixHardEvents::store_image_flags(int i) { particle_data_[i][IMAGE] = ubuf(atom->image[i]).d; }
 
-/// Whether the box at the end of this step is not what the simulation takes it for.
+/// Whether the box at the end of this step differs from that of the simulation.
 bool FixHardEvents::box_has_changed(double dt) const {
   const PeriodicBox& box = simulation_.box();
   const double end = simulation_.end() + dt;
@@ -148,7 +147,7 @@ bool FixHardEvents::box_has_changed(double dt) const {
                               differ(&PeriodicBox::Edges::yz)));
 }
 
-/// Starts the simulation's clock at the beginning of this step, with the box of then.
+/// Sets the simulation time to 0 at the beginning of this step, with the box of that time.
 void FixHardEvents::reset_simulation_time(double dt) {
   PeriodicBox box;
   box.origin = vector(domain->boxlo);
@@ -165,7 +164,7 @@ void FixHardEvents::reset_simulation_time(double dt) {
   }
 }
 
-/// Where a particle is at the end of the step, in the simulation's box, and its velocity.
+/// Unwrapped position of a particle at the end of the step, and its velocity.
 FixHardEvents::EngineMotion FixHardEvents::engine_motion(int i, double end) const {
   const Vector3 x = vector(atom->x[i]), v = vector(atom->v[i]), boxes = boxes_crossed(i);
   if (same(boxes, {})) return {x, v, 0.0};
@@ -174,7 +173,7 @@ FixHardEvents::EngineMotion FixHardEvents::engine_motion(int i, double end) cons
           ROUND_OFF * (norm(v) + norm(flow))};
 }
 
-/// Whether a particle goes on with the flight that the simulation has.
+/// Whether the motion in the engine agrees with the flight of the simulation.
 bool FixHardEvents::continues_flight(int i, const EngineMotion& now, double end) const {
   const VersionedFlight& flight = simulation_.flights[i];
   if (particle_data_[i][SPEED_INCREMENT] > 0.0) return false;
@@ -185,8 +184,8 @@ bool FixHardEvents::continues_flight(int i, const EngineMotion& now, double end)
   return same_velocity && dot(off, off) <= position_tolerance_ * position_tolerance_;
 }
 
-/// Loads a body and its flight: from what the engine has brought along with the particle, where it
-/// goes on with that.
+/// Loads a body and its flight: the flight stored with the particle, if the motion in the engine
+/// agrees with it.
 void FixHardEvents::load_body(int i, double dt) {
   const double start = simulation_.end(), end = start + dt;
   HardSphere& body = simulation_.bodies[i];
@@ -213,7 +212,7 @@ void FixHardEvents::load_body(int i, double dt) {
   body.event_state.causal_depth = -1;
 }
 
-/// Loads the flights that others have changed, in the step that has begun, and what their events
+/// Loads the changes of flights by the engine in the current step, and of the state that events
 /// depend on.
 void FixHardEvents::load_changes(double dt) {
   const double start = simulation_.start(), end = simulation_.end();
@@ -246,7 +245,7 @@ void FixHardEvents::load_changes(double dt) {
   }
 }
 
-/// Sets the walls as they are in the step that ends at `when`.
+/// Sets the walls of the step that ends at `when`.
 void FixHardEvents::load_walls(double when) {
   simulation_.walls.clear();
   for (const HardWallSource* walls : walls_)
@@ -256,8 +255,8 @@ void FixHardEvents::load_walls(double when) {
 
 /* ---------------------------------------------------------------------- */
 
-/// Collective: sets how long the clock can go on: as long as the fastest particle takes for the
-/// shortest edge of the box, so that times have as many digits as places.
+/// Collective: sets the time until the next shift of the time origin to that in which the fastest
+/// particle crosses the shortest edge of the box, so that times have as many digits as positions.
 void FixHardEvents::set_time_origin_lifetime() {
   double mine = 0.0, fastest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {

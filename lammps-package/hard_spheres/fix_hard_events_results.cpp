@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixHardEvents that brings what the events have done to the engine.
+// The part of FixHardEvents that transfers the results of the events to the engine.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// Events between the one whose particles' memory is asked for and the one that is looked at.
+// Events between the prefetch of the particles of an event and their use.
 static constexpr std::size_t PREFETCH_DISTANCE = 8;
 
 static void put(const Vector3& a, double* to) {
@@ -29,7 +29,7 @@ static void put(const Vector3& a, double* to) {
   to[2] = a.z;
 }
 
-/// Writes what the events have changed besides flights, and adds them to the sums.
+/// Writes the spins to the engine and adds the events to the totals.
 void FixHardEvents::store_events() {
   for (const Event& event : simulation_.events) {
     for (const int body : {event.i, event.j}) {
@@ -43,7 +43,8 @@ void FixHardEvents::store_events() {
   record_->write(simulation_);
 }
 
-/// Writes the flights to the engine's arrays: places at the end of the step, in its boxes.
+/// Writes the flights to the engine: positions at the end of the step, wrapped as the image flags
+/// require.
 void FixHardEvents::store_flights() {
   const double end = simulation_.end();
   const PeriodicBox::Edges h = simulation_.box().edges_at(end), &rates = simulation_.box().rates;
@@ -55,7 +56,7 @@ void FixHardEvents::store_flights() {
     const Vector3 boxes = boxes_crossed(i);
     crossed_boundary_[i] = !same(boxes, {});
     if (simulation_.bodies[i].inverse_mass == 0.0) {
-      // The engine's own numbers stay.
+      // The engine integrates immobile bodies itself.
     } else if (!crossed_boundary_[i]) {
       put(flight.at(end), atom->x[i]);
       put(flight.velocity, atom->v[i]);
@@ -73,15 +74,15 @@ void FixHardEvents::store_flights() {
   if (!simulation_.events.empty() || comm->nprocs > 1) comm->forward_comm();
 }
 
-/// Notes the nonaffine displacement of particle i, which is at `position`, `left` before the end of
-/// the step.
+/// Records the nonaffine displacement of particle i, which is at `position` at the time `left`
+/// before the end of the step.
 void FixHardEvents::track_displacement(int i, const Vector3& position, double left) {
   farthest_squared_ =
       std::max(farthest_squared_,
                displacements_.squared(i, position, shear_since(displacements_, domain, left)));
 }
 
-/// Asks for the memory that the displacements of an event's particles are worked out from.
+/// Prefetches the data for the displacements of the particles of an event.
 void FixHardEvents::prefetch_displacements(const Event& event) const {
   for (const int i : {event.i, event.j}) {
     if (i < 0 || i >= atom->nlocal) continue;
@@ -89,7 +90,7 @@ void FixHardEvents::prefetch_displacements(const Event& event) const {
   }
 }
 
-/// Stops when a particle may have met one that is no ghost of its process.
+/// Stops if a particle may have met one that is not a ghost of this process.
 void FixHardEvents::check_neighbour_list() {
   const double dt = update->dt, end = simulation_.end();
   for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
@@ -98,7 +99,7 @@ void FixHardEvents::check_neighbour_list() {
     const Event& event = events[n];
     prefetch_displacements(events[std::min(n + PREFETCH_DISTANCE, events.size() - 1)]);
     const double left = end - event.key.time;
-    // Few are outside: what says how far is asked for of them alone.
+    // Few particles are outside the box: only for these the number of boxes is read.
     const auto in_box = [&](int i, const Vector3& position) {
       return crossed_boundary_[i]
                  ? position - simulation_.box().edges_at(event.key.time) * boxes_crossed(i)

@@ -19,9 +19,10 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 
-// A plane attracts twice as strongly as a sphere.
+// The well of a plane is twice as deep as that of a sphere.
 static constexpr double PLANE_OVER_SPHERE = 2.0;
-// Overlap that is warned of, over the diameter: above what a data file's decimals leave.
+// Relative overlap with a wall that causes a warning, over the diameter: larger than the rounding
+// of a data file.
 static constexpr double OVERLAP = 5e-7;
 
 FixWallHardSquareWell::FixWallHardSquareWell(LAMMPS* lammps, int narg, char** arg)
@@ -113,7 +114,7 @@ ImpactLaw FixWallHardSquareWell::impact_law(int type) const {
 
 /* ---------------------------------------------------------------------- */
 
-// Numbers of a restart file: its layout, how many walls there were, and their course.
+// Entries of a restart file: its layout, the number of walls, and their motion.
 static constexpr int LAYOUT = 1, COURSE = 2;
 
 void FixWallHardSquareWell::write_restart(FILE* fp) {

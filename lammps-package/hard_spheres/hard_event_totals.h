@@ -9,7 +9,7 @@
 
 namespace LAMMPS_NS {
 
-/// Sums over the events of this process by kind, which computes hard/events and hard/stress report.
+/// Sums over the events of this process by kind, for compute hard/events and compute hard/stress.
 struct HardEventTotals {
   static constexpr int kinds = static_cast<int>(cohesion::hard_sphere::event_kind_names.size());
   enum Quantity { count, energy_change, impulse, virial, quantities };
@@ -18,10 +18,11 @@ struct HardEventTotals {
   std::array<ByKind, 2> sums{};                      ///< of pairs, of walls
   std::array<cohesion::MomentumFlux, kinds> flux{};  ///< of pairs: Event::momentum_flux()
   bool flux_enabled = false;
-  double elastic = 0.0;               ///< collisions made elastic against inelastic collapse
-  double rest_rule_collisions = 0.0;  ///< collisions to which the rule of rest gave speed
-  double rest_rule_energy = 0.0;      ///< kinetic energy that it gave them, [energy]
-  double most_events = 0.0;           ///< most events of one particle in one step
+  double elastic = 0.0;  ///< collisions made elastic by the rules against inelastic collapse
+  double rest_rule_collisions =
+      0.0;  ///< collisions in which the rule of rest increased the speed of separation
+  double rest_rule_energy = 0.0;  ///< kinetic energy added in them, [energy]
+  double most_events = 0.0;       ///< largest number of events of one particle in one step
 
   void add(const cohesion::hard_sphere::Event& event, bool wall) {
     const auto kind = static_cast<std::size_t>(event.impact.kind);

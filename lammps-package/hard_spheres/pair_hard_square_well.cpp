@@ -23,9 +23,9 @@ using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-// Reach of the list beyond the contact, as a fraction of the skin. Where the engine's own check
-// keeps the list, particles may be half a skin away from where they were; the events of the step
-// then turn some away farther.
+// Reach of the neighbour list beyond the contact, as a fraction of the skin. The check of the
+// engine keeps the list until a particle has moved by half a skin. The events of the step can then
+// deflect particles farther.
 static constexpr double REACH = 0.25;
 static constexpr int LAYOUT = 4;  // of settings and HardContact in restart files
 
@@ -52,7 +52,7 @@ void PairHardSquareWell::allocate() {
   contacts_.make_room(types, setflag);
 }
 
-/// Adds the virial of the events, which have been executed, and the energy of the wells.
+/// Adds the virial of the executed events and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   contacts_.require_committed("pair_style hard/square_well");
