@@ -116,8 +116,8 @@ FixHardEvents::NumbersByTag FixHardEvents::displaced_bodies() const {
 /// Reorders remote particles so that those of the last step, by tag, keep their numbers where
 /// possible.
 void FixHardEvents::preserve_numbers(RemoteParticles& remote, const NumbersByTag& displaced) const {
-  constexpr int nobody = -1;
-  RemoteParticles reordered(remote.size(), {nobody, {}}), others;
+  constexpr int unassigned = -1;
+  RemoteParticles reordered(remote.size(), {unassigned, {}}), others;
   for (const auto& particle : remote) {
     const auto found = displaced.find(atom->tag[particle.first]);
     const int n = found == displaced.end() ? -1 : found->second - atom->nlocal;
@@ -127,7 +127,7 @@ void FixHardEvents::preserve_numbers(RemoteParticles& remote, const NumbersByTag
       others.push_back(particle);
   }
   for (auto& particle : reordered)
-    if (particle.first == nobody) {
+    if (particle.first == unassigned) {
       particle = others.back();
       others.pop_back();
     }

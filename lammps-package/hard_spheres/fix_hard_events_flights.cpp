@@ -25,8 +25,8 @@ static constexpr double ROUND_OFF = 64.0 * std::numeric_limits<double>::epsilon(
 // Displacement from the flight, in radii, above which the engine has relocated a particle.
 static constexpr double RELOCATION_DISTANCE = 0.1;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
-// Distance outside the box, in boxes, up to which the wrapping of the engine is sufficient. It
-// shifts by one box at most; half a box leaves a margin for round-off.
+// Distance outside the box, in boxes, up to which the wrapping of the engine is sufficient.
+// It shifts by one box at most; half a box leaves a margin for round-off.
 static constexpr double WRAPPED_BY_ENGINE = 0.5;
 
 /// The image flag of an axis, as stored bits.
@@ -62,10 +62,10 @@ void FixHardEvents::require_flights_within_box() const {
 /// boundaries of a tilted box depend on the other axes.
 static double boundary_shift(const Domain* domain, int axis, const Vector3& x) {
   if (!domain->triclinic || axis == 2) return 0.0;
-  const double up = (x.z - domain->boxlo[2]) / domain->prd[2];
-  if (axis == 1) return up * domain->yz;
-  const double back = (x.y - domain->boxlo[1] - up * domain->yz) / domain->prd[1];
-  return back * domain->xy + up * domain->xz;
+  const double fraction_z = (x.z - domain->boxlo[2]) / domain->prd[2];
+  if (axis == 1) return fraction_z * domain->yz;
+  const double fraction_y = (x.y - domain->boxlo[1] - fraction_z * domain->yz) / domain->prd[1];
+  return fraction_y * domain->xy + fraction_z * domain->xz;
 }
 
 /// Distance from a boundary within which the engine may round a position to the other side, by its
@@ -180,8 +180,8 @@ bool FixHardEvents::continues_flight(int i, const EngineMotion& now, double end)
   const bool same_velocity = now.velocity_tolerance > 0.0
                                  ? norm(now.velocity - flight.velocity) <= now.velocity_tolerance
                                  : same(now.velocity, flight.velocity);
-  const Vector3 off = now.position - flight.at(end);
-  return same_velocity && dot(off, off) <= position_tolerance_ * position_tolerance_;
+  const Vector3 deviation = now.position - flight.at(end);
+  return same_velocity && dot(deviation, deviation) <= position_tolerance_ * position_tolerance_;
 }
 
 /// Loads a body and its flight: the flight stored with the particle, if the motion in the engine

@@ -42,9 +42,9 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
       given_keywords.note(1, arg + at);
       contact_.well_given = true;
       at += 2;
-    } else if (const int taken = read_hard_keyword(lmp, message_prefix_, at, narg, arg, contact_,
+    } else if (const int words = read_hard_keyword(lmp, message_prefix_, at, narg, arg, contact_,
                                                    given_keywords)) {
-      at += taken;
+      at += words;
     } else if (const int wall = script_walls.read(narg - at, arg + at)) {
       at += wall;
     } else {

@@ -63,8 +63,6 @@ class BoundingNeighbourhoods {
   }
 
  protected:
-  using BoxOffset = Cells::BoxOffset;
-
   /// Creates the neighbourhoods of all bodies. `largest_ratio`: PairRules::largest_ratio(). In a
   /// deforming box a neighbourhood is valid for `lifetime` [time].
   void build_neighbourhoods(const PeriodicBox& box, const std::vector<HardSphere>& bodies,
@@ -315,19 +313,19 @@ class BoundingNeighbourhoods {
   /// Searches contiguous cells of the periodic box `box_offset` for centres closer than the square
   /// root of `limit`.
   template <class Near>
-  void search_cells(int first_cell, int cells, int i, const BoxOffset& box_offset, double now,
-                    double most, const Near& near) {
+  void search_cells(int first_cell, int cells, int i, const Cells::BoxOffset& box_offset,
+                    double now, double most, const Near& near) {
     Vector3 from = neighbourhoods_[i].wrapped_centre;
     if (box_offset[0] != 0 || box_offset[1] != 0 || box_offset[2] != 0)
       from -= flow_.box().edges *
               Vector3{double(box_offset[0]), double(box_offset[1]), double(box_offset[2])};
-    const BoxOffset& offset_i = neighbourhoods_[i].box_offset;
-    const auto found = [&](int j, const BoxOffset& offset_j, double square) {
+    const Cells::BoxOffset& offset_i = neighbourhoods_[i].box_offset;
+    const auto found = [&](int j, const Cells::BoxOffset& offset_j, double square) {
       if (j == i) return;
       near(j,
-           BoxOffset{box_offset[0] + offset_i[0] - offset_j[0],
-                     box_offset[1] + offset_i[1] - offset_j[1],
-                     box_offset[2] + offset_i[2] - offset_j[2]},
+           Cells::BoxOffset{box_offset[0] + offset_i[0] - offset_j[0],
+                            box_offset[1] + offset_i[1] - offset_j[1],
+                            box_offset[2] + offset_i[2] - offset_j[2]},
            square);
     };
     flow_.with_least_squared_distance(now, [&](const auto& square) {

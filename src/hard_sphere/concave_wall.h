@@ -15,9 +15,9 @@ namespace cohesion::hard_sphere {
 inline Vector3 turn_inwards(const Vector3& v, const Vector3& outwards, double least) {
   const double normal = -dot(outwards, v), vv = dot(v, v);
   const Vector3 along = v + normal * outwards;
-  const double tangential = norm(along), wanted = std::min(least, std::sqrt(0.5 * vv));
-  if (normal >= wanted || tangential == 0.0) return v;
-  return (std::sqrt(vv - wanted * wanted) / tangential) * along - wanted * outwards;
+  const double tangential = norm(along), inward = std::min(least, std::sqrt(0.5 * vv));
+  if (normal >= inward || tangential == 0.0) return v;
+  return (std::sqrt(vv - inward * inward) / tangential) * along - inward * outwards;
 }
 
 /// Velocity of a particle after an elastic collision inside a cylinder about the z axis. It is

@@ -74,11 +74,12 @@ inline double time_to_leave(double b, double ww, double rr, double vv, double c)
 /// has not crossed it before. The surfaces may have a relative error of 1e-7.
 inline bool may_cross_within(double left, double b, double ww, double rr,
                              const SurfaceDistances& surfaces, bool inside) {
-  constexpr double room = 1.0 + 1e-6, for_long = 1e100;
-  left = left < for_long ? left : for_long;
+  constexpr double tolerance = 1.0 + 1e-6, long_time = 1e100;
+  left = left < long_time ? left : long_time;
   const double inner = inside ? surfaces.core : surfaces.edge;
-  const bool falls = (b < 0.0) & (rr - room * inner * inner <= -2.0 * room * b * left);
-  const bool rises = room * (rr + left * (2.0 * b + left * ww)) >= surfaces.edge * surfaces.edge;
+  const bool falls = (b < 0.0) & (rr - tolerance * inner * inner <= -2.0 * tolerance * b * left);
+  const bool rises =
+      tolerance * (rr + left * (2.0 * b + left * ww)) >= surfaces.edge * surfaces.edge;
   return falls | (inside & rises);
 }
 

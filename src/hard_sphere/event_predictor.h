@@ -29,8 +29,6 @@ class EventPredictor {
   PairRules pairs;
   std::vector<HardWall> walls;
 
-  using TagPair = hard_sphere::TagPair;
-
   NeighbourLists& neighbour_lists() { return neighbour_lists_; }
   const NeighbourLists& neighbour_lists() const { return neighbour_lists_; }
 
@@ -84,7 +82,7 @@ class EventPredictor {
     for (int i = 0; i < count(); i++) {
       if (renumbering.is_unchanged(i) && predicted_[i].keeps_partners(renumbering)) continue;
       // Before the renumbering, which changes the keys that resolve ties in the queue.
-      event_queue_.set({never, i, -1, -1}, EarlierKey{*this}, [](int, std::size_t) {});
+      event_queue_.replace({never, i, -1, -1}, EarlierKey{*this}, [](int, std::size_t) {});
       if (renumbering.new_number(i) >= 0) affected.push_back(renumbering.new_number(i));
     }
     renumbering.reorder(bodies);
@@ -142,8 +140,9 @@ class EventPredictor {
       event.partner = list.front().partner;
       event.depth = event_key(body, list.front()).causal_depth;
     }
-    event_queue_.set(event, EarlierKey{*this},
-                     [this](int comes, std::size_t subtrees) { prefetch_turn(comes, subtrees); });
+    event_queue_.replace(event, EarlierKey{*this}, [this](int comes, std::size_t subtrees) {
+      prefetch_turn(comes, subtrees);
+    });
   }
 
   bool is_stale(const PredictedEvent& event) const {
@@ -171,9 +170,9 @@ class EventPredictor {
 
   EventKey event_key(int i, const PredictedEvent& event) const {
     const auto [tag_i, tag_j] = tag_pair(i, event.partner);
-    const int of_i = causal_depth_at(event.time, i);
-    const int of_j = event.partner < 0 ? -1 : causal_depth_at(event.time, event.partner);
-    return {event.time, 1 + std::max(of_i, of_j), tag_i, tag_j};
+    const int depth_i = causal_depth_at(event.time, i);
+    const int depth_j = event.partner < 0 ? -1 : causal_depth_at(event.time, event.partner);
+    return {event.time, 1 + std::max(depth_i, depth_j), tag_i, tag_j};
   }
 
   /// Key of a queued event. Bodies without a valid prediction precede all others of the same time,

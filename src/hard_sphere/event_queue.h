@@ -40,8 +40,8 @@ class EventQueue {
   /// the same time. on_new_leader(body, subtrees) is called for each body that becomes the first of
   /// one of `subtrees` equal subtrees, a power of 2. Such a body is among about the next `subtrees`
   /// ones of the queue.
-  template <class Before, class Rises>
-  void set(const QueuedEvent& event, const Before& before, const Rises& on_new_leader) {
+  template <class Before, class OnNewLeader>
+  void replace(const QueuedEvent& event, const Before& before, const OnNewLeader& on_new_leader) {
     std::size_t node = leaves_ + event.body;
     nodes_[node] = event;
     for (std::size_t subtrees = leaves_ / 2; node > 1; node /= 2, subtrees /= 2) {

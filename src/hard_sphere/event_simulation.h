@@ -229,7 +229,7 @@ class EventSimulation : public EventPredictor {
     return distance(i, n, end_) / surfaces(i, n.body).edge - 1.0;
   }
 
-  static CollisionPartner partner_of(const HardSphere& body, const VersionedFlight& flight) {
+  static CollisionPartner collision_partner(const HardSphere& body, const VersionedFlight& flight) {
     return {flight.velocity, body.event_state.spin, body.inverse_mass, body.inverse_inertia,
             body.radius};
   }
@@ -247,7 +247,7 @@ class EventSimulation : public EventPredictor {
                                                   wall.motion.rim_speed);
       return {point.separation, {point.velocity, {}, 0.0, 0.0, 0.0}, wall.law(bodies[i])};
     }
-    CollisionPartner partner = partner_of(bodies[n.body], flights[n.body]);
+    CollisionPartner partner = collision_partner(bodies[n.body], flights[n.body]);
     partner.velocity += neighbour_lists_.image(n.image).velocity;
     return {relative_motion(i, n.body, n.image, time).first, partner,
             pairs.law(bodies[i], bodies[n.body])};
@@ -274,8 +274,8 @@ class EventSimulation : public EventPredictor {
     const bool elastic = is_collision && (rules.is_made_elastic(state_i, time) ||
                                           (state_j && rules.is_made_elastic(*state_j, time)));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    ImpactOutcome now = compute_impact(predicted.surface, k, law, partner_of(bodies[i], flights[i]),
-                                       partner, least);
+    ImpactOutcome now = compute_impact(predicted.surface, k, law,
+                                       collision_partner(bodies[i], flights[i]), partner, least);
     if (elastic && j < 0) reflect_off_concave_wall(i, pair, k, now);
     if (now.kind == EventKind::capture && j >= 0)
       return_within_edge(i, j, partner, k, distance, least, now);

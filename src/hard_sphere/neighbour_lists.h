@@ -104,7 +104,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
   /// Stores in the lists of both partners whether the pair is in its well.
   void set_inside(int i, Neighbour& n, bool inside) {
     n.inside = inside;
-    if (!n.is_wall()) reverse_of(i, n)->inside = inside;
+    if (!n.is_wall()) opposite_entry(i, n)->inside = inside;
   }
 
   /// Renumbers bodies. The caller then calls add() for new ones.
@@ -223,12 +223,12 @@ class NeighbourLists : public BoundingNeighbourhoods {
 
   /// Replaces n in the list of i by the last neighbour.
   void remove_pair(int i, Neighbour* n) {
-    lists_.remove(n->body, reverse_of(i, *n));
+    lists_.remove(n->body, opposite_entry(i, *n));
     lists_.remove(i, n);
   }
 
   /// The entry of the same pair in the list of the other body.
-  Neighbour* reverse_of(int i, const Neighbour& n) {
+  Neighbour* opposite_entry(int i, const Neighbour& n) {
     return find_neighbour(n.body, i, images_[n.image].opposite);
   }
 
@@ -247,7 +247,7 @@ class NeighbourLists : public BoundingNeighbourhoods {
   /// Sets found_ to the bodies that body i may meet.
   void find_neighbours(int i, double now) {
     found_.clear();
-    for_each_near(i, now, [this, i, now](int j, const BoxOffset& boxes, double square) {
+    for_each_near(i, now, [this, i, now](int j, const Cells::BoxOffset& boxes, double square) {
       const HardSphere &a = body(i), &b = body(j);
       if (!pairs_->interact(a, b)) return;
       const SurfaceDistances surfaces = pairs_->surfaces(a, b);

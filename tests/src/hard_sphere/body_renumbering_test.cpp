@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// EventSimulation::arrange() and take_in(): bodies that get other numbers, go and come.
+// EventSimulation::renumber() and add_bodies(): permutation, removal and insertion of bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,8 +35,8 @@ void step(EventSimulation& simulation) {
   simulation.run(simulation.end());
 }
 
-// Other numbers change no event.
-TEST(Arrange, OtherNumbersAreOfNoConsequence) {
+// A permutation changes no event.
+TEST(BodyRenumbering, PermutationChangesNoEvent) {
   EventSimulation straight, mixed;
   set_up(straight);
   set_up(mixed);
@@ -64,17 +64,17 @@ void expect_same_events(const EventSimulation& a, const EventSimulation& b, std:
   events += a.events.size();
 }
 
-/// Mixed numbers of all bodies but the last ones of the mixture.
-std::vector<int> all_but(std::size_t bodies, std::size_t gone, std::mt19937& random) {
+/// A random permutation of all bodies without the last ones.
+std::vector<int> random_subset(std::size_t bodies, std::size_t removed, std::mt19937& random) {
   std::vector<int> old(bodies);
   std::iota(old.begin(), old.end(), 0);
   std::shuffle(old.begin(), old.end(), random);
-  old.resize(bodies - gone);
+  old.resize(bodies - removed);
   return old;
 }
 
-// Ten go and come back before the next step.
-TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
+// Ten bodies are removed and inserted again before the next step.
+TEST(BodyRenumbering, RemovalAndReinsertionChangesNoEvent) {
   EventSimulation straight, changed;
   set_up(straight);
   set_up(changed);
@@ -84,7 +84,7 @@ TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
     const std::vector<HardSphere> bodies = changed.bodies;
     const std::vector<VersionedFlight> flights = changed.flights;
     const auto inside = changed.bound_pairs_at_edge();
-    const std::vector<int> old = all_but(bodies.size(), 10, random);
+    const std::vector<int> old = random_subset(bodies.size(), 10, random);
     changed.renumber(old);
     NeighbourListCheck(changed).check();
     std::vector<int> again(old.size()), added;
@@ -110,21 +110,21 @@ TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
   EXPECT_GT(events, 500u);
 }
 
-// What is left goes on as if set up without those who have gone.
-TEST(Arrange, BodiesThatGoAreGone) {
+// The remaining bodies continue as in a simulation that is set up without the removed ones.
+TEST(BodyRenumbering, RemovedBodiesHaveNoFurtherEvents) {
   EventSimulation kept;
   set_up(kept);
   std::mt19937 random(7);
   std::size_t events = 0;
   for (int n = 0; n < 5; n++) {
-    kept.renumber(all_but(kept.bodies.size(), 10, random));
+    kept.renumber(random_subset(kept.bodies.size(), 10, random));
     EventSimulation anew;
     anew.pairs = kept.pairs;
     anew.neighbour_lists().bodies_in_box = 90.0;
     anew.bodies = kept.bodies;
     anew.flights = kept.flights;
     anew.reset_time(sheared_box());
-    anew.begin_step(kept.end());  // to the same time
+    anew.begin_step(kept.end());  // sets the same time
     anew.set_up(1.0, kept.bound_pairs_at_edge());
     for (int k = 0; k < 3; k++) {
       step(kept);
@@ -135,8 +135,8 @@ TEST(Arrange, BodiesThatGoAreGone) {
   EXPECT_GT(events, 100u);
 }
 
-// A size that was not there before: all has to be set up.
-TEST(Arrange, AnotherSizeIsNotTakenIn) {
+// A new size requires set_up().
+TEST(BodyRenumbering, NewSizeRequiresSetUp) {
   EventSimulation simulation;
   set_up(simulation);
   std::vector<int> old(simulation.bodies.size());

@@ -7,10 +7,11 @@
 
 #include "hard_sphere/event_simulation.h"
 
-/// A box that is not periodic and holds what is from `low` to `high`.
-inline cohesion::hard_sphere::PeriodicBox closed_box(const cohesion::Vector3& low,
-                                                     const cohesion::Vector3& high) {
-  cohesion::hard_sphere::PeriodicBox box;
+namespace cohesion::hard_sphere {
+
+/// A box that is not periodic and extends from `low` to `high`.
+inline PeriodicBox closed_box(const Vector3& low, const Vector3& high) {
+  PeriodicBox box;
   box.origin = low;
   box.edges.xx = high.x - low.x;
   box.edges.yy = high.y - low.y;
@@ -18,33 +19,30 @@ inline cohesion::hard_sphere::PeriodicBox closed_box(const cohesion::Vector3& lo
   return box;
 }
 
-/// The same law between spheres, and between them and walls, with a well up to `ratio` radii.
-inline cohesion::hard_sphere::HardContactParameters contact(
-    const cohesion::hard_sphere::ImpactLaw& law, double ratio = 1.0) {
-  return {law.restitution, law.friction, cohesion::square_well::well(law.depth, ratio)};
+/// Parameters of a law with a well that extends to `ratio` radii.
+inline HardContactParameters contact(const ImpactLaw& law, double ratio = 1.0) {
+  return {law.restitution, law.friction, square_well::well(law.depth, ratio)};
 }
 
-/// Gives a body another place and velocity at the beginning of the step, as an engine does it.
-inline void change_flight(cohesion::hard_sphere::EventSimulation& simulation, int body,
-                          const cohesion::Vector3& position, const cohesion::Vector3& velocity,
-                          bool moved = false) {
-  cohesion::hard_sphere::VersionedFlight flight;
+/// Sets the position and velocity of a body at the beginning of the step, as an engine does.
+inline void change_flight(EventSimulation& simulation, int body, const Vector3& position,
+                          const Vector3& velocity, bool moved = false) {
+  VersionedFlight flight;
   flight.position = position;
   flight.velocity = velocity;
   flight.start_time = simulation.start();
-  cohesion::hard_sphere::EventState event_state = simulation.bodies[body].event_state;
+  EventState event_state = simulation.bodies[body].event_state;
   event_state.causal_depth = -1;
   simulation.change_flight(body, flight, event_state, moved);
 }
 
-/// A kick at the beginning of the step.
-inline void increment_velocity(cohesion::hard_sphere::EventSimulation& simulation, int body,
-                               const cohesion::Vector3& change) {
+/// Adds a velocity increment at the beginning of the step.
+inline void increment_velocity(EventSimulation& simulation, int body, const Vector3& change) {
   const auto& flight = simulation.flights[body];
   change_flight(simulation, body, flight.at(simulation.start()), flight.velocity + change);
 }
 
-inline double kinetic_energy_of(const cohesion::hard_sphere::EventSimulation& simulation) {
+inline double kinetic_energy_of(const EventSimulation& simulation) {
   double sum = 0.0;
   for (std::size_t n = 0; n < simulation.bodies.size(); n++) {
     const auto& body = simulation.bodies[n];
@@ -55,10 +53,8 @@ inline double kinetic_energy_of(const cohesion::hard_sphere::EventSimulation& si
   return sum;
 }
 
-/// Whether two events are the same to the last bit.
-inline bool same_bits(const cohesion::hard_sphere::Event& a,
-                      const cohesion::hard_sphere::Event& b) {
-  using cohesion::hard_sphere::same;
+/// Whether two events agree to the last bit.
+inline bool same_bits(const Event& a, const Event& b) {
   return a.key.time == b.key.time && a.key.causal_depth == b.key.causal_depth &&
          a.key.tag_i == b.key.tag_i && a.key.tag_j == b.key.tag_j &&
          a.impact.kind == b.impact.kind && a.impact.inside == b.impact.inside &&
@@ -67,17 +63,12 @@ inline bool same_bits(const cohesion::hard_sphere::Event& a,
          same(a.impact.spin_impulse, b.impact.spin_impulse);
 }
 
-/// Spheres of two sizes in a box of six walls, without any engine. Of mass 1 and 2.
+/// Spheres of two sizes, of masses 1 and 2, in a box of six walls.
 struct BoxOfSpheres {
-  using EventSimulation = cohesion::hard_sphere::EventSimulation;
-  using Vector3 = cohesion::Vector3;
-
   EventSimulation simulation;
-  std::vector<cohesion::hard_sphere::Event> all;  // so far
+  std::vector<Event> all;  // events so far
 
-  explicit BoxOfSpheres(int edge, const cohesion::hard_sphere::ImpactLaw& law, double ratio = 1.2,
-                        double space = 1.6) {
-    using namespace cohesion::hard_sphere;
+  explicit BoxOfSpheres(int edge, const ImpactLaw& law, double ratio = 1.2, double space = 1.6) {
     simulation.pairs.set(0, 0, contact(law, ratio));
     const double length = edge * space;
     for (const Wall::Shape shape : {Wall::x_plane, Wall::y_plane, Wall::z_plane}) {
@@ -112,3 +103,5 @@ struct BoxOfSpheres {
   Vector3 position(int body) const { return simulation.flights[body].at(simulation.end()); }
   double kinetic_energy() const { return kinetic_energy_of(simulation); }
 };
+
+}  // namespace cohesion::hard_sphere

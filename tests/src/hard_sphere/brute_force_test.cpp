@@ -13,8 +13,8 @@
 #include "hard_sphere/event_simulation.h"
 #include "hard_sphere/gas_of_spheres.h"
 
-// The simulation against one that has no lists and keeps no predictions: before each event it looks
-// for the first crossing of all pairs, images and walls.
+// Comparison with a simulation without lists and stored predictions: before each event it searches
+// all pairs, images and walls for the first crossing.
 namespace {
 
 using namespace cohesion::hard_sphere;
@@ -52,11 +52,11 @@ class BruteForce {
     for (int i = 0; i < count(); i++) {
       for (const int j : with_higher_tags(i)) {
         if (bodies_[i].inverse_mass + bodies_[j].inverse_mass == 0.0) continue;
-        // Who is nearer than two boxes now has come first before those farther away have come.
+        // Images within two boxes now come first, before those that are farther away now.
         for_each_image(box_, time_, flights[j].at(time_) - flights[i].at(time_), 1,
-                       [&](const Vector3& boxes, const Vector3&) { look_at(i, j, boxes, next); });
+                       [&](const Vector3& boxes, const Vector3&) { test_pair(i, j, boxes, next); });
       }
-      for (int w = 0; w < static_cast<int>(walls_.size()); w++) look_at_wall(i, w, next);
+      for (int w = 0; w < static_cast<int>(walls_.size()); w++) test_wall(i, w, next);
     }
     return execute(next);
   }
@@ -98,7 +98,7 @@ class BruteForce {
     return flights[i].start_time == time ? bodies_[i].event_state.causal_depth : -1;
   }
 
-  void look_at(int i, int j, const Vector3& boxes, Next& next) const {
+  void test_pair(int i, int j, const Vector3& boxes, Next& next) const {
     const VersionedFlight &a = flights[i], &b = flights[j];
     const double now = std::max(a.start_time, b.start_time);
     const auto [r, w] = relative_motion(i, j, boxes, now);
@@ -111,7 +111,7 @@ class BruteForce {
     if (time < never && key < next.key) next = {key, i, j, boxes, crossing.surface};
   }
 
-  void look_at_wall(int i, int w, Next& next) const {
+  void test_wall(int i, int w, Next& next) const {
     const VersionedFlight& a = flights[i];
     if (bodies_[i].inverse_mass == 0.0) return;
     const Crossing crossing =
@@ -184,7 +184,7 @@ class BruteForce {
   double time_ = 0.0;
 };
 
-/// The same events in the same order, with the same impulses, all to the last bit.
+/// Expects the same events in the same order, with the same impulses, to the last bit.
 void expect_events_of_brute_force(EventSimulation& simulation, const PeriodicBox& box, double time,
                                   std::size_t at_least) {
   simulation.rules.collapse_limit = 0;
@@ -206,7 +206,7 @@ void expect_events_of_brute_force(EventSimulation& simulation, const PeriodicBox
   }
   for (std::size_t n = 0; n < simulation.flights.size(); n++)
     EXPECT_TRUE(same(simulation.flights[n], reference.flights[n]));
-  // None is missing at the end.
+  // No event is missing at the end.
   EXPECT_GT(reference.advance().key.time, simulation.end());
   EXPECT_GT(events, at_least);
 }
@@ -246,7 +246,7 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsUnderShear) {
   expect_events_of_brute_force(simulation, box, 3.0, 400);
 }
 
-TEST_P(BruteForceWithMargin, HasTheSameEventsInABoxThatChangesInEveryWay) {
+TEST_P(BruteForceWithMargin, HasTheSameEventsInADeformingBox) {
   simulation.pairs.set(0, 0, contact(sticky, 1.5));
   const PeriodicBox box =
       periodic_box({4.5, 4.2, 3.9, -0.6, 0.7, 1.3}, {0.2, -0.1, 0.05, 0.4, -0.3, -0.5});
@@ -268,7 +268,7 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsOfSizesFromOneToTen) {
   expect_events_of_brute_force(simulation, box, 0.5, 300);
 }
 
-TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenWallsThatMove) {
+TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenMovingWalls) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   PeriodicBox box = periodic_box({4.0, 4.0, 5.0, 0.0, 0.0, 0.0});
   box.periodic[2] = false;
@@ -281,7 +281,7 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenWallsThatMove) {
   expect_events_of_brute_force(simulation, box, 8.0, 400);
 }
 
-// Homes flow towards a wall that stands.
+// Bounding neighbourhoods move towards a wall at rest.
 TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenWallsAcrossTheFlow) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   PeriodicBox::Edges rates;
@@ -295,7 +295,7 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenWallsAcrossTheFlow) {
   expect_events_of_brute_force(simulation, box, 2.0, 100);
 }
 
-TEST_P(BruteForceWithMargin, HasTheSameEventsAmongSpheresThatNothingMoves) {
+TEST_P(BruteForceWithMargin, HasTheSameEventsWithImmobileSpheres) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   const PeriodicBox box = periodic_box({4.0, 4.0, 4.0});
   GasOfSpheres{30}.fill(simulation, box);
@@ -306,10 +306,10 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsAmongSpheresThatNothingMoves) {
   expect_events_of_brute_force(simulation, box, 8.0, 300);
 }
 
-// Rows of equal spheres on one line each, whose places and velocities are small multiples of powers
-// of two, some of them in touch: whatever happens happens to many in the same instant, and runs on
-// through others in no time. Tags go by no order. With a margin of 1/2 homes touch exactly where
-// others end.
+// Rows of equal spheres on lines, whose positions and velocities are small multiples of powers of
+// two, some of them in contact: many events occur at the same instant, and chains of events pass
+// through several spheres at once. Tags are in random order. With a margin of 1/2 neighbourhoods
+// touch each other exactly.
 TEST(BruteForce, HasTheSameEventsOfOneInstant) {
   for (const double margin : {0.5, 0.6})
     for (const unsigned seed : {1, 2, 3, 4}) {

@@ -76,7 +76,7 @@ TEST(Collision, SlidingHasTheCoulombImpulseAgainstTheSlip) {
   EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
 }
 
-TEST(Collision, MomentumAndAngularMomentumAreKept) {
+TEST(Collision, MomentumAndAngularMomentumAreConserved) {
   const ImpactOutcome h = hit(0.6, 0.2, one, two);
   const CollisionPartner i = after(one, h, -1.0), j = after(two, h, 1.0);
   // About the centre of i, j being one contact distance along k.
@@ -101,7 +101,7 @@ TEST(Collision, WallIsAPartnerOfInfiniteMass) {
   EXPECT_NEAR(norm(slip(i, wall)), 0.0, round_off);
 }
 
-TEST(Collision, LeavesWithTheLeastSpeedWhereRestitutionWouldLeaveLess) {
+TEST(Collision, SeparatesWithTheEnergyAddingSpeed) {
   const double least = 2.0 * dot(k, one.velocity - two.velocity), e = 0.6;
   const ImpactOutcome h = compute_impact(Surface::core, k, {e, 0.0, 0.0}, one, two, {least, 0.0});
   const CollisionPartner i = after(one, h, -1.0), j = after(two, h, 1.0);
@@ -117,9 +117,9 @@ TEST(Collision, LeavesWithTheLeastSpeedWhereRestitutionWouldLeaveLess) {
   EXPECT_EQ(unchanged.rest_rule_energy, 0.0);
 }
 
-// K: elastic below it, a speed of parting above it as far as restitution leaves less, and no change
-// above K/e. It never gives energy.
-TEST(Collision, KeepsTheLeastSpeedAsFarAsItHasTheEnergy) {
+// K: elastic below it, separation with at least K while restitution leaves less, and no change
+// above K/e. It never adds energy.
+TEST(Collision, SeparatesWithTheEnergyLimitedSpeed) {
   const double u = dot(k, one.velocity - two.velocity), e = 0.6;
   for (const double kept : {0.5 * e * u, 0.8 * u, 3.0 * u}) {
     const ImpactOutcome h = compute_impact(Surface::core, k, {e, 0.0, 0.0}, one, two, {0.0, kept});
@@ -132,8 +132,9 @@ TEST(Collision, KeepsTheLeastSpeedAsFarAsItHasTheEnergy) {
   }
 }
 
-// Friction acts as it does in an elastic collision. What it takes speeds the parting up, to K.
-TEST(Collision, FrictionTakesNothingBelowTheLeastSpeedKept) {
+// Friction acts as in an elastic collision. The energy that it dissipates increases the speed of
+// separation, up to K.
+TEST(Collision, FrictionConservesEnergyBelowTheEnergyLimitedSpeed) {
   const double u = dot(k, one.velocity - two.velocity);
   for (const double friction : {0.05, 10.0}) {
     const ImpactOutcome elastic = hit(1.0, friction, one, two);
@@ -153,7 +154,7 @@ TEST(Collision, FrictionTakesNothingBelowTheLeastSpeedKept) {
   }
 }
 
-TEST(Collision, LawRefusesWhatCannotBe) {
+TEST(Collision, RejectsInvalidLaws) {
   expect_refused([] { require_valid(ImpactLaw{1.1, 0.0, 0.0}); }, "restitution e = 1.1");
   expect_refused([] { require_valid(ImpactLaw{std::nan(""), 0.0, 0.0}); }, "restitution");
   expect_refused([] { require_valid(ImpactLaw{1.0, -0.1, 0.0}); }, "friction");

@@ -17,8 +17,7 @@ using cohesion::hard_sphere::QueuedEvent;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A calendar and the sorted map that it has to agree with. Of the same time ranks decide, which
-/// are never equal.
+/// A queue and the sorted map that is its reference. Unique ranks resolve ties.
 class ComparedQueue {
  public:
   explicit ComparedQueue(int bodies) : entries_(bodies) {
@@ -35,7 +34,7 @@ class ComparedQueue {
     event.time = time;
     event.body = body;
     event.depth = rank;
-    queue_.set(
+    queue_.replace(
         event,
         [](const QueuedEvent& x, const QueuedEvent& y) {
           EXPECT_EQ(x.time, y.time);
@@ -51,42 +50,40 @@ class ComparedQueue {
     return entries_[body] == reference_.end() ? never : entries_[body]->first.first;
   }
 
-  /// The body that is next; -1: none.
-  int next() const { return never_or_none() ? -1 : reference_.begin()->second; }
+  /// The first body; -1: none.
+  int next() const { return is_empty() ? -1 : reference_.begin()->second; }
 
   void check() {
     const auto event = queue_.next();
-    if (never_or_none()) {
+    if (is_empty()) {
       ASSERT_EQ(event.time, never);
       return;
     }
     ASSERT_EQ(event.time, reference_.begin()->first.first);
     ASSERT_EQ(event.body, reference_.begin()->second);
-    // Of one body alone there are no parts.
+    // A queue of one body has no subtrees.
     if (entries_.size() > 1) {
       ASSERT_EQ(leader_, event.body);
     }
   }
 
  private:
-  bool never_or_none() const {
-    return reference_.empty() || reference_.begin()->first.first == never;
-  }
+  bool is_empty() const { return reference_.empty() || reference_.begin()->first.first == never; }
 
   EventQueue queue_;
-  int leader_ = -1;  // the last that came first of all
+  int leader_ = -1;  // body that last became the first of all
   int next_rank_ = 1;
   std::multimap<std::pair<double, int>, int> reference_;
   std::vector<std::multimap<std::pair<double, int>, int>::iterator> entries_;
 };
 
-TEST(EventQueue, HasNobodyAtFirst) {
+TEST(EventQueue, IsEmptyAfterReset) {
   EXPECT_EQ(EventQueue{}.next().time, never);
   for (const int bodies : {0, 1, 2, 3, 1000}) ComparedQueue(bodies).check();
 }
 
-// Of few times, so that most of them are tied; what decides ties changes with a body's time, and
-// sometimes without it. A body that has nothing before it is never first.
+// Few different times, so that most events are tied. The rank of a body changes with its time, and
+// sometimes without it. A body without an event is never first.
 TEST(EventQueue, NextIsTheFirstOfASortedMap) {
   std::mt19937 random(7);
   for (const int bodies : {1, 2, 3, 4, 5, 7, 8, 9, 31, 100})
@@ -104,9 +101,9 @@ TEST(EventQueue, NextIsTheFirstOfASortedMap) {
     }
 }
 
-// As bodies do it: what is next gets a later time, and some others with it. Waits of all sizes,
-// with ties.
-TEST(EventQueue, TimeGoesOn) {
+// As in a simulation: the first body gets a later time, and so do some others. Intervals of all
+// magnitudes, with ties.
+TEST(EventQueue, OrderIsRightAsTimeAdvances) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (const double now : {0.0, 1e3, -7.0})
@@ -132,9 +129,9 @@ TEST(EventQueue, TimeGoesOn) {
     }
 }
 
-// Who comes first in a half, a quarter and so on of all is told of once, in each of them that it
-// comes first in from there on, in the order of the sizes.
-TEST(EventQueue, TellsWhoRises) {
+// A body that becomes the first of a half, a quarter and so on is reported once for each of these
+// subtrees, in the order of their sizes.
+TEST(EventQueue, ReportsNewLeadersOfSubtrees) {
   EventQueue queue;
   queue.reset(8);
   std::vector<std::pair<int, std::size_t> > leads;
@@ -143,7 +140,7 @@ TEST(EventQueue, TellsWhoRises) {
     QueuedEvent event;
     event.time = time;
     event.body = body;
-    queue.set(
+    queue.replace(
         event, [](const QueuedEvent&, const QueuedEvent&) { return false; },
         [&](int leader, std::size_t subtrees) { leads.emplace_back(leader, subtrees); });
     return leads;
@@ -152,14 +149,15 @@ TEST(EventQueue, TellsWhoRises) {
   EXPECT_EQ(set(0, 3.0), (Leads{{0, 4}, {0, 2}, {0, 1}}));
   EXPECT_EQ(set(2, 4.0), (Leads{{2, 4}}));
   EXPECT_EQ(set(7, 1.0), (Leads{{7, 4}, {7, 2}, {7, 1}}));
-  // Still first, and nobody else of its half: nothing new. Behind 0 and 2, the first of all is 0.
+  // Still first, and so is no other body of its half: no report. After 0 and 2, the first of all is
+  // 0.
   EXPECT_EQ(set(7, 2.0), Leads{});
   EXPECT_EQ(set(7, 5.0), (Leads{{0, 1}}));
   EXPECT_EQ(set(0, 6.0), (Leads{{2, 2}, {2, 1}}));
 }
 
-// Bodies that are predicted again and again leave nothing behind that grows.
-TEST(EventQueue, TakesNoMoreMemoryThanAFewTimesItsEntries) {
+// Repeated predictions do not increase the memory.
+TEST(EventQueue, MemoryIsAFewTimesItsEvents) {
   EventQueue queue;
   const int bodies = 1000;
   queue.reset(bodies);
@@ -170,7 +168,7 @@ TEST(EventQueue, TakesNoMoreMemoryThanAFewTimesItsEntries) {
       QueuedEvent event;
       event.time = 0.01 * step + 10.0 * uniform(random);
       event.body = body;
-      queue.set(
+      queue.replace(
           event, [](const QueuedEvent&, const QueuedEvent&) { return false; },
           [](int, std::size_t) {});
     }

@@ -34,7 +34,7 @@ TEST(EventSimulation, EnergyBalances) {
   }
 }
 
-TEST(EventSimulation, NothingOverlapsAndNothingLeavesTheBox) {
+TEST(EventSimulation, NoCoresOverlapAndNoSphereLeavesTheBox) {
   BoxOfSpheres box(3, rough);
   EventSimulation& simulation = box.simulation;
   const int count = static_cast<int>(simulation.bodies.size());
@@ -63,9 +63,9 @@ TEST(EventSimulation, NothingOverlapsAndNothingLeavesTheBox) {
   }
 }
 
-// The step is no parameter of the physics, and no flight knows of it: the same events to the last
-// bit, as long as no rule counts by the step.
-TEST(EventSimulation, StepDoesNotMatter) {
+// The step is no physical parameter, and flights do not depend on it: the same events to the last
+// bit, if no rule depends on the step.
+TEST(EventSimulation, EventsAreIndependentOfTheStep) {
   for (const ImpactLaw& law : {elastic, rough}) {
     BoxOfSpheres fine(3, law), coarse(3, law);
     for (BoxOfSpheres* box : {&fine, &coarse}) box->simulation.rules.collapse_limit = 0;
@@ -94,11 +94,11 @@ TEST(EventSimulation, EventsAreInOrder) {
     EXPECT_FALSE(box.simulation.events[n].key < box.simulation.events[n - 1].key);
 }
 
-// A row of five spheres, each with its neighbours only: 1 is fast, 2 to 4 are at rest, 5 comes from
-// the other side. Of 4, 5 and all their neighbours the earliest event is 4-5 at 1.0; but the blow
-// of 1 runs down the row and reaches 4 before. So an event may not be carried out on the ground
-// that it is the earliest among the neighbours.
-TEST(EventSimulation, ABlowFromBeyondTheNeighboursComesFirst) {
+// A row of five spheres, each a neighbour of the adjacent ones only: 1 is fast, 2 to 4 are at rest,
+// 5 approaches from the other side. Among 4, 5 and all their neighbours the earliest event is 4-5
+// at 1.0, but the momentum of 1 passes through the row and reaches 4 earlier. So being the earliest
+// event among neighbours does not allow its execution.
+TEST(EventSimulation, MomentumFromBeyondTheNeighboursArrivesFirst) {
   EventSimulation simulation;
   simulation.pairs.set(0, 0, contact(ImpactLaw{}));
   const double x[] = {0.0, 1.2, 2.4, 3.6, 6.6}, v[] = {10.0, 0.0, 0.0, 0.0, -2.0};
@@ -164,7 +164,7 @@ TEST(EventSimulation, CollisionsWithinTheContactTimeAreElastic) {
   EXPECT_LT(elastic_hits, static_cast<int>(box.simulation.events.size()) - 10);
 }
 
-// Along the inside of a cylinder collisions with e < 1 come faster and faster without end.
+// Collisions with e < 1 along the inside of a cylinder become infinitely frequent.
 TEST(EventSimulation, CollapseRuleKeepsASphereOffAConcaveWall) {
   EventSimulation simulation;
   simulation.walls = {{{{Wall::z_cylinder, 1.0, 3.0}, {}}, {{ImpactLaw{0.7, 0.0, 0.0}}}}};
@@ -201,7 +201,7 @@ TEST(EventSimulation, CollapseRuleKeepsASphereOffAConcaveWall) {
   EXPECT_EQ(v.z, 0.25);
 }
 
-TEST(EventSimulation, LimitStopsAndNamesThePair) {
+TEST(EventSimulation, LimitStopsAndReportsThePair) {
   BoxOfSpheres box(2, ImpactLaw{});
   box.simulation.rules.event_limit = 5;
   box.step(200.0);
@@ -213,7 +213,7 @@ TEST(EventSimulation, LimitStopsAndNamesThePair) {
   EXPECT_EQ(box.simulation.events.back().j, j);
 }
 
-TEST(EventSimulation, TiesGoByTags) {
+TEST(EventSimulation, TagsResolveTies) {
   EventSimulation simulation;
   simulation.pairs.set(0, 0, contact(ImpactLaw{}));
   // Two pairs that collide at the same instant, the later one first in the list.
@@ -239,10 +239,10 @@ TEST(EventSimulation, TiesGoByTags) {
   EXPECT_EQ(simulation.events[0].key.tag_i, 1);
 }
 
-// Two spheres in a well of 1.5 diameters between walls, D = 1, e = 1, and all on one line: after a
-// collision with each other and one with each wall everything is as it was but for signs, so that
-// speeds return for ever. 1000 returns of 8 events round a speed by at most 1e-16 each.
-TEST(EventSimulation, PairBetweenWallsReturns) {
+// Two spheres with a well of 1.5 diameters between walls, D = 1, e = 1, all on one line. After a
+// collision with each other and one with each wall the state is the same except for signs, so that
+// speeds recur. 1000 recurrences of 8 events round a speed by at most 1e-16 each.
+TEST(EventSimulation, PairBetweenWallsIsPeriodic) {
   EventSimulation simulation;
   simulation.pairs.set(0, 0, contact({1.0, 0.0, 1.0}, 1.5));
   simulation.walls = {{{{Wall::x_plane, 1.0, -3.0}, {}}, {{ImpactLaw{}}}},

@@ -11,11 +11,12 @@
 #include "hard_sphere/box_of_spheres.h"
 #include "hard_sphere/event_simulation.h"
 
+namespace cohesion::hard_sphere {
+
 /// A periodic box.
-inline cohesion::hard_sphere::PeriodicBox periodic_box(
-    const cohesion::hard_sphere::PeriodicBox::Edges& edges,
-    const cohesion::hard_sphere::PeriodicBox::Edges& rates = {}) {
-  cohesion::hard_sphere::PeriodicBox box;
+inline PeriodicBox periodic_box(const PeriodicBox::Edges& edges,
+                                const PeriodicBox::Edges& rates = {}) {
+  PeriodicBox box;
   box.origin = {-0.3, 0.2, 1.1};
   box.edges = edges;
   box.rates = rates;
@@ -24,15 +25,12 @@ inline cohesion::hard_sphere::PeriodicBox periodic_box(
 }
 
 /// Calls f(boxes, separation) for the images of a body at the separation r that are up to
-/// `farthest` boxes away from the nearest one, by the number of boxes that they are away in each
-/// direction. With 1 that is all that are nearer than a box, and half a box more, between its
-/// opposite sides.
+/// `farthest` boxes away from the nearest one; `boxes` is the offset in each direction. With 1
+/// these are all images closer than one box, and half a box more between its opposite faces.
 template <class F>
-void for_each_image(const cohesion::hard_sphere::PeriodicBox& box, double time,
-                    const cohesion::Vector3& r, int farthest, F f) {
-  using cohesion::Vector3;
+void for_each_image(const PeriodicBox& box, double time, const Vector3& r, int farthest, F f) {
   const auto h = box.edges_at(time);
-  const Vector3 fraction = cohesion::hard_sphere::PeriodicBox::fraction(h, r);
+  const Vector3 fraction = PeriodicBox::fraction(h, r);
   const double coordinates[] = {fraction.x, fraction.y, fraction.z};
   int low[3], high[3];
   for (int k = 0; k < 3; k++) {
@@ -50,20 +48,17 @@ void for_each_image(const cohesion::hard_sphere::PeriodicBox& box, double time,
       }
 }
 
-/// Spheres with radii from `least` to `most`, of which the number goes as r^-3: so each range of
-/// sizes has its part of the volume. They are at random places where they overlap no image of each
-/// other. A sphere of diameter 1 has mass 1. Their velocities are random, but for the flow of the
-/// box, large ones as fast as small ones.
+/// Spheres with radii from `least` to `most`, whose number density is proportional to r^-3, so that
+/// each range of sizes contributes to the volume. Positions are random without overlap, images
+/// included. A sphere of diameter 1 has mass 1. Velocities relative to the flow of the box are
+/// random, with the same distribution for all sizes.
 struct GasOfSpheres {
   int count = 100;
   double least = 0.5, most = 0.5;
   double speed = 1.0;  // of each component
   unsigned seed = 1;
 
-  void fill(cohesion::hard_sphere::EventSimulation& simulation,
-            const cohesion::hard_sphere::PeriodicBox& box) const {
-    using namespace cohesion::hard_sphere;
-    using cohesion::Vector3;
+  void fill(EventSimulation& simulation, const PeriodicBox& box) const {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform;
     std::normal_distribution<double> normal;
@@ -94,10 +89,9 @@ struct GasOfSpheres {
     simulation.neighbour_lists().bodies_in_box = count;
   }
 
-  /// Whether a sphere overlaps no other one at a place, but for body `self`, and no wall.
-  static bool is_free(const cohesion::hard_sphere::EventSimulation& simulation,
-                      const cohesion::hard_sphere::PeriodicBox& box, double time,
-                      const cohesion::Vector3& position, double radius, int self = -1) {
+  /// Whether a sphere at a position overlaps no body except `self`, and no wall.
+  static bool is_free(const EventSimulation& simulation, const PeriodicBox& box, double time,
+                      const Vector3& position, double radius, int self = -1) {
     for (const auto& wall : simulation.walls)
       if (wall.motion.wall.nearest(position, wall.motion.at(time), 0.0).distance < radius)
         return false;
@@ -106,7 +100,7 @@ struct GasOfSpheres {
       if (n == self) continue;
       const double apart = radius + simulation.bodies[n].radius;
       for_each_image(box, time, position - simulation.flights[n].at(time), 1,
-                     [&](const cohesion::Vector3&, const cohesion::Vector3& r) {
+                     [&](const Vector3&, const Vector3& r) {
                        if (dot(r, r) < apart * apart) free = false;
                      });
     }
@@ -114,8 +108,10 @@ struct GasOfSpheres {
   }
 
  private:
-  /// Between the inverse squares of two numbers.
+  /// Interpolates between the inverse squares of two numbers.
   static double in_between(double a, double b, double part) {
     return (1.0 - part) / (a * a) + part / (b * b);
   }
 };
+
+}  // namespace cohesion::hard_sphere

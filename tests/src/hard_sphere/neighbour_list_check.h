@@ -6,24 +6,20 @@
 #include "hard_sphere/event_simulation.h"
 #include "hard_sphere/gas_of_spheres.h"
 
-/// Compares the lists of a simulation with a search through all images of all pairs.
-class NeighbourListCheck {
-  using HardSphere = cohesion::hard_sphere::HardSphere;
-  using PeriodicImage = cohesion::hard_sphere::PeriodicImage;
-  using Neighbour = cohesion::hard_sphere::Neighbour;
-  using Vector3 = cohesion::Vector3;
+namespace cohesion::hard_sphere {
 
+/// Compares the neighbour lists of a simulation with a search through all images of all pairs.
+class NeighbourListCheck {
  public:
-  /// A distance that rounds to a surface, by the fraction `round_off`, can be on either side of it.
-  explicit NeighbourListCheck(cohesion::hard_sphere::EventSimulation& simulation,
-                              double round_off = 1e-12)
+  /// A distance within the fraction `round_off` of a surface can be on either side of it.
+  explicit NeighbourListCheck(EventSimulation& simulation, double round_off = 1e-12)
       : simulation_(simulation),
         lists_(simulation.neighbour_lists()),
         now_(simulation.end()),
         round_off_(round_off),
         count_(static_cast<int>(simulation.bodies.size())) {}
 
-  int within = 0;  // pairs nearer than the edge, each counted twice
+  int within = 0;  // pairs closer than the edge, each counted twice
 
   void check() {
     for (int i = 0; i < count_; i++) {
@@ -54,8 +50,8 @@ class NeighbourListCheck {
     EXPECT_NEAR(simulation_.distance(i, *n, now_), distance, round_off_);
   }
 
-  /// What lists contain besides: what is not in its well is not there by its flag, nobody is there
-  /// twice, and both agree about a pair.
+  /// Checks the entries of a list: flags agree with distances, no entry occurs twice, and the list
+  /// of the partner has the same pair.
   void check_list(int i) {
     for (const Neighbour* n = lists_.begin(i); n != lists_.end(i); n++) {
       const auto surfaces = simulation_.surfaces(i, n->body);
@@ -67,8 +63,8 @@ class NeighbourListCheck {
       EXPECT_EQ(lists_.find_neighbour(i, n->body, n->image), n);
       if (n->is_wall()) continue;
       const PeriodicImage &image = lists_.image(n->image), &reverse = lists_.image(image.opposite);
-      EXPECT_TRUE(cohesion::hard_sphere::same(reverse.displacement, -image.displacement));
-      EXPECT_TRUE(cohesion::hard_sphere::same(reverse.velocity, -image.velocity));
+      EXPECT_TRUE(same(reverse.displacement, -image.displacement));
+      EXPECT_TRUE(same(reverse.velocity, -image.velocity));
       const Neighbour* const back = lists_.find_neighbour(n->body, i, image.opposite);
       ASSERT_TRUE(back) << i << ' ' << n->body;
       EXPECT_EQ(back->inside, n->inside) << i << ' ' << n->body;
@@ -80,15 +76,16 @@ class NeighbourListCheck {
     for (const Neighbour* n = lists_.begin(i); n != lists_.end(i); n++) {
       if (n->body != j) continue;
       const PeriodicImage& image = lists_.image(n->image);
-      if (cohesion::hard_sphere::same(image.displacement, box.edges * boxes) &&
-          cohesion::hard_sphere::same(image.velocity, box.rates * boxes))
+      if (same(image.displacement, box.edges * boxes) && same(image.velocity, box.rates * boxes))
         return n;
     }
     return nullptr;
   }
 
-  cohesion::hard_sphere::EventSimulation& simulation_;
-  cohesion::hard_sphere::NeighbourLists& lists_;
+  EventSimulation& simulation_;
+  NeighbourLists& lists_;
   double now_, round_off_;
   int count_;
 };
+
+}  // namespace cohesion::hard_sphere

@@ -18,7 +18,7 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-TEST(PeriodicBox, FractionsAreWhereEdgesLead) {
+TEST(PeriodicBox, FractionInvertsTheEdges) {
   const PeriodicBox::Edges h{2.0, 3.0, 5.0, -1.1, 0.7, 0.9};
   const Vector3 f{0.3, -0.6, 1.7}, back = PeriodicBox::fraction(h, h * f);
   EXPECT_NEAR(back.x, f.x, 4e-16);
@@ -26,19 +26,20 @@ TEST(PeriodicBox, FractionsAreWhereEdgesLead) {
   EXPECT_NEAR(back.z, f.z, 4e-16);
 }
 
-TEST(PeriodicBox, SteepnessIsTheLargestFractionOfAWay) {
+TEST(PeriodicBox, InverseWidthIsTheLargestFractionOfAUnitLength) {
   const PeriodicBox::Edges h{2.0, 3.0, 5.0, -1.1, 0.7, 0.9};
   const auto inverse_widths = PeriodicBox::inverse_widths(h);
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   double most[3] = {};
   for (int n = 0; n < 100000; n++) {
-    const Vector3 way{normal(random), normal(random), normal(random)};
-    const Vector3 f = PeriodicBox::fraction(h, (1.0 / norm(way)) * way);
+    const Vector3 distance{normal(random), normal(random), normal(random)};
+    const Vector3 f = PeriodicBox::fraction(h, (1.0 / norm(distance)) * distance);
     const double coordinates[] = {f.x, f.y, f.z};
     for (int k = 0; k < 3; k++) most[k] = std::max(most[k], std::abs(coordinates[k]));
   }
-  // 1e5 directions come to within 2 sqrt(1e-5) of each one, of which the cosine misses 2e-5.
+  // One of 1e5 random directions is within 2 sqrt(1e-5) of each direction; its cosine differs by
+  // 2e-5.
   for (int k = 0; k < 3; k++) {
     EXPECT_LE(most[k], inverse_widths[k] * (1.0 + 1e-15));
     EXPECT_GT(most[k], inverse_widths[k] * (1.0 - 1e-4));
@@ -47,7 +48,7 @@ TEST(PeriodicBox, SteepnessIsTheLargestFractionOfAWay) {
 
 const ImpactLaw sticky{0.95, 0.2, 0.2};
 
-TEST(PeriodicBox, GradientGivesTheFlowOfAPlace) {
+TEST(PeriodicBox, GradientGivesTheFlowVelocity) {
   PeriodicBox box;
   box.edges = {2.0, 3.0, 5.0, -1.1, 0.7, 0.9};
   box.rates = {0.3, -0.2, 0.1, 0.6, -0.5, 0.8};
@@ -58,10 +59,11 @@ TEST(PeriodicBox, GradientGivesTheFlowOfAPlace) {
   EXPECT_NEAR(by_place.z, flow.z, 1e-15);
 }
 
-/// What a run checks, at eight times of it: lists are right and nothing overlaps. In the middle the
-/// lists are made anew, in the middle of the flow and far from the places of the beginning.
-void expect_right_lists(EventSimulation& simulation, const PeriodicBox& box, double time,
-                        double round_off = 1e-12) {
+/// Checks at eight times of a run that lists are complete and no cores overlap. In the middle of
+/// the run all lists are rebuilt, while the box has deformed and bodies are far from their first
+/// positions.
+void expect_complete_lists(EventSimulation& simulation, const PeriodicBox& box, double time,
+                           double round_off = 1e-12) {
   const double lifetime = box.rates.is_zero() ? never : 0.3 * time;
   simulation.reset_time(box);
   simulation.set_up(lifetime, {});
@@ -82,17 +84,17 @@ void expect_right_lists(EventSimulation& simulation, const PeriodicBox& box, dou
   }
   EXPECT_GT(within, 0);
   EXPECT_GT(events, 3 * simulation.bodies.size());
-  double way = 0.0, home = 0.0;
+  double distance = 0.0, radius = 0.0;
   for (std::size_t n = 0; n < first.size(); n++) {
-    way += norm(simulation.flights[n].at(time) - first[n].position);
-    home += simulation.neighbour_lists().margin * simulation.bodies[n].radius;
+    distance += norm(simulation.flights[n].at(time) - first[n].position);
+    radius += simulation.neighbour_lists().margin * simulation.bodies[n].radius;
   }
-  EXPECT_GT(way, home) << "homes have not been left";
+  EXPECT_GT(distance, radius) << "bodies have not left their neighbourhoods";
 }
 
 constexpr PeriodicBox::Edges cube(double length) { return {length, length, length, 0, 0, 0}; }
 
-class NeighbourhoodsWithMargin : public testing::TestWithParam<double> {
+class NeighbourListsWithMargin : public testing::TestWithParam<double> {
  protected:
   EventSimulation simulation;
 
@@ -103,32 +105,32 @@ class NeighbourhoodsWithMargin : public testing::TestWithParam<double> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, NeighbourhoodsWithMargin, testing::Values(0.1, 0.6, 2.0));
+INSTANTIATE_TEST_SUITE_P(All, NeighbourListsWithMargin, testing::Values(0.1, 0.6, 2.0));
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllInACube) {
+TEST_P(NeighbourListsWithMargin, AreCompleteInACube) {
   const PeriodicBox box = periodic_box(cube(6.5));
   GasOfSpheres{120}.fill(simulation, box);
-  expect_right_lists(simulation, box, 6.0);
+  expect_complete_lists(simulation, box, 6.0);
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllInATiltedBox) {
+TEST_P(NeighbourListsWithMargin, AreCompleteInATiltedBox) {
   const PeriodicBox box = periodic_box({7.0, 6.0, 6.5, 2.9, -2.1, 3.4});
   GasOfSpheres{120, 0.4, 0.6}.fill(simulation, box);
-  expect_right_lists(simulation, box, 6.0);
+  expect_complete_lists(simulation, box, 6.0);
 }
 
 // A strain of 0.4.
-TEST_P(NeighbourhoodsWithMargin, KnowAllInASheardBox) {
+TEST_P(NeighbourListsWithMargin, AreCompleteInAShearedBox) {
   PeriodicBox::Edges rates;
   rates.xy = 0.1 * 6.5;
   const PeriodicBox box = periodic_box(cube(6.5), rates);
   GasOfSpheres{120}.fill(simulation, box);
-  expect_right_lists(simulation, box, 4.0);
+  expect_complete_lists(simulation, box, 4.0);
 }
 
-// Spheres that flow with the box stay in their homes for a strain of 0.23. Homes come nearer to
-// others by the flow alone. The clock is set back in the middle.
-void expect_all_that_the_flow_brings(EventSimulation& simulation, const PeriodicBox& box) {
+// Spheres that move with the box stay in their neighbourhoods for a strain of 0.23. Only the flow
+// brings neighbourhoods together. The time origin is shifted in the middle.
+void expect_complete_lists_in_flow(EventSimulation& simulation, const PeriodicBox& box) {
   simulation.pairs.set(0, 0, contact({1.0, 0.0, 1e-6}, 1.4));
   GasOfSpheres{120, 0.5, 0.5, 1e-3}.fill(simulation, box);
   simulation.reset_time(box);
@@ -141,71 +143,71 @@ void expect_all_that_the_flow_brings(EventSimulation& simulation, const Periodic
   }
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllThatTheFlowAlongXBrings) {
+TEST_P(NeighbourListsWithMargin, AreCompleteInAFlowAlongX) {
   PeriodicBox::Edges rates;
   rates.xy = 6.5;
-  expect_all_that_the_flow_brings(simulation, periodic_box(cube(6.5), rates));
+  expect_complete_lists_in_flow(simulation, periodic_box(cube(6.5), rates));
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllThatAnyFlowBrings) {
+TEST_P(NeighbourListsWithMargin, AreCompleteInAnyFlow) {
   const PeriodicBox box =
       periodic_box({6.5, 6.5, 6.5, -2.0, 2.2, 1.5}, {3.0, -3.0, 0.7, 4.0, -4.0, 3.0});
-  expect_all_that_the_flow_brings(simulation, box);
+  expect_complete_lists_in_flow(simulation, box);
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllInABoxThatChangesInEveryWay) {
+TEST_P(NeighbourListsWithMargin, AreCompleteInADeformingBox) {
   const PeriodicBox box =
       periodic_box({7.0, 6.5, 6.0, -1.0, 1.2, 2.0}, {0.3, -0.2, 0.1, 0.6, -0.5, -0.8});
   GasOfSpheres{100}.fill(simulation, box);
-  expect_right_lists(simulation, box, 4.0);
+  expect_complete_lists(simulation, box, 4.0);
 }
 
-// An edge of 1.4 diameters, and a box of 2.1: a sphere is in its well with several images of
-// another.
-TEST_P(NeighbourhoodsWithMargin, KnowSeveralImagesInASmallBox) {
+// An edge of 1.4 diameters and a box of 2.1: a sphere is in its well with several images of another
+// one.
+TEST_P(NeighbourListsWithMargin, ContainSeveralImagesInASmallBox) {
   const PeriodicBox box = periodic_box({2.1, 2.2, 2.3, 0.2, -0.4, 0.6});
   GasOfSpheres{4}.fill(simulation, box);
-  expect_right_lists(simulation, box, 12.0);
+  expect_complete_lists(simulation, box, 12.0);
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowSeveralImagesInASmallShearedBox) {
+TEST_P(NeighbourListsWithMargin, ContainSeveralImagesInASmallShearedBox) {
   PeriodicBox::Edges rates;
   rates.xy = 0.1 * 2.2;
   const PeriodicBox box = periodic_box({2.1, 2.2, 2.3, 0.0, 0.0, -0.4}, rates);
   GasOfSpheres{4}.fill(simulation, box);
-  expect_right_lists(simulation, box, 4.0);
+  expect_complete_lists(simulation, box, 4.0);
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllOfSizesFromOneToTen) {
+TEST_P(NeighbourListsWithMargin, AreCompleteForSizesFromOneToTen) {
   const PeriodicBox box = periodic_box({4.0, 4.5, 4.2, 0.0, 1.0, -1.0});
   GasOfSpheres{150, 0.1, 1.0}.fill(simulation, box);
-  expect_right_lists(simulation, box, 6.0);
+  expect_complete_lists(simulation, box, 6.0);
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllOfSizesFromOneToTenUnderShear) {
+TEST_P(NeighbourListsWithMargin, AreCompleteForSizesFromOneToTenUnderShear) {
   PeriodicBox::Edges rates;
   rates.xy = 0.1 * 4.5;
   const PeriodicBox box = periodic_box({4.0, 4.5, 4.2, 0.0, 0.0, 0.0}, rates);
   GasOfSpheres{150, 0.1, 1.0}.fill(simulation, box);
-  expect_right_lists(simulation, box, 4.0);
+  expect_complete_lists(simulation, box, 4.0);
 }
 
-TEST_P(NeighbourhoodsWithMargin, KnowAllBetweenTwoWalls) {
+TEST_P(NeighbourListsWithMargin, AreCompleteBetweenTwoWalls) {
   PeriodicBox box = periodic_box({6.0, 7.0, 5.0, 0.0, 0.0, 1.3});
   box.periodic[2] = false;
   const HardWall::WallContact rule{sticky, 1.4};
   simulation.walls.push_back({{{Wall::z_plane, 1.0, box.origin.z}, {}}, {rule}});
   simulation.walls.push_back({{{Wall::z_plane, -1.0, box.origin.z + 5.0}, {}}, {rule}});
   GasOfSpheres{70, 0.3, 0.6}.fill(simulation, box);
-  expect_right_lists(simulation, box, 6.0);
+  expect_complete_lists(simulation, box, 6.0);
   for (const VersionedFlight& flight : simulation.flights) {
     EXPECT_GT(flight.at(simulation.end()).z, box.origin.z + 0.3 - 1e-12);
     EXPECT_LT(flight.at(simulation.end()).z, box.origin.z + 4.7 + 1e-12);
   }
 }
 
-// Without a well there is nothing within the edge; that nothing overlaps is what is to see.
-TEST_P(NeighbourhoodsWithMargin, KnowAllWithoutAWell) {
+// Without a well no pair is closer than the edge; the check tests only that no cores overlap.
+TEST_P(NeighbourListsWithMargin, AreCompleteWithoutAWell) {
   simulation.pairs.set(0, 0, contact({0.95, 0.2, 0.0}));
   const PeriodicBox box = periodic_box(cube(6.5));
   GasOfSpheres{120}.fill(simulation, box);
@@ -221,8 +223,8 @@ TEST_P(NeighbourhoodsWithMargin, KnowAllWithoutAWell) {
   EXPECT_GT(events, 500u);
 }
 
-// Homes that touch, to round-off: those of neighbours on a lattice as wide as they reach.
-TEST(NeighbourLists, AgreeAboutHomesThatJustTouch) {
+// Neighbourhoods of adjacent spheres on a lattice touch, to round-off.
+TEST(NeighbourLists, AreSymmetricWhenNeighbourhoodsJustTouch) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
@@ -240,7 +242,7 @@ TEST(NeighbourLists, AgreeAboutHomesThatJustTouch) {
       simulation.bodies.push_back(body);
       VersionedFlight flight;
       flight.position = first + space * Vector3{double(k % 4), double(k / 4 % 4), double(k / 16)};
-      // Homes of those that stand are where they are.
+      // The neighbourhood of a sphere at rest has the same centre.
       if (k % 8 == 0) flight.velocity = {normal(random), normal(random), normal(random)};
       simulation.flights.push_back(flight);
     }
@@ -255,8 +257,8 @@ TEST(NeighbourLists, AgreeAboutHomesThatJustTouch) {
   }
 }
 
-// Numbers of another size, as those of small and fast things in SI units.
-TEST(NeighbourLists, KnowAllInAFastFlow) {
+// Magnitudes of small and fast particles in SI units.
+TEST(NeighbourLists, AreCompleteInAFastFlow) {
   for (const double z_rate : {0.0, 0.1}) {
     EventSimulation simulation;
     simulation.pairs.set(0, 0, contact({0.95, 0.2, 0.2 * 1e16}, 1.4));
@@ -266,13 +268,13 @@ TEST(NeighbourLists, KnowAllInAFastFlow) {
     rates.zz = z_rate * 1e8;
     const PeriodicBox box = periodic_box(cube(6.5), rates);
     GasOfSpheres{120, 0.5, 0.5, 1e8}.fill(simulation, box);
-    expect_right_lists(simulation, box, 4e-8);
+    expect_complete_lists(simulation, box, 4e-8);
   }
 }
 
-// Bodies far outside the box, as engines have them that do not fold places: their differences
-// round more than in the box.
-TEST(NeighbourLists, FindImagesOfBodiesFarOutsideTheBox) {
+// Bodies far outside the box, as in an engine that does not wrap positions: their differences have
+// larger round-off.
+TEST(NeighbourLists, ContainImagesOfBodiesFarOutsideTheBox) {
   for (const double far : {1.0, 300.0, 1024.0}) {
     EventSimulation simulation;
     simulation.pairs.set(0, 0, contact(sticky, 1.4));
@@ -284,12 +286,12 @@ TEST(NeighbourLists, FindImagesOfBodiesFarOutsideTheBox) {
       flight.position += box.edges * boxes;
       n++;
     }
-    expect_right_lists(simulation, box, 6.0, 1e-12 * far);
+    expect_complete_lists(simulation, box, 6.0, 1e-12 * far);
   }
 }
 
-// Many bodies that have gone in all directions have others of very many images around them.
-TEST(NeighbourLists, KnowHoweverManyImages) {
+// Bodies that have left the box in all directions have neighbours with very many different images.
+TEST(NeighbourLists, HandleVeryManyImages) {
   EventSimulation near, far;
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
@@ -338,7 +340,7 @@ TEST(NeighbourLists, KnowHoweverManyImages) {
   }
 }
 
-TEST(NeighbourLists, ForbiddenPairsAreNone) {
+TEST(NeighbourLists, OmitExcludedPairs) {
   EventSimulation simulation;
   simulation.pairs = PairRules(3);
   for (int i = 0; i < 3; i++)

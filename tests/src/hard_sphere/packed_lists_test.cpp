@@ -11,19 +11,19 @@ namespace {
 
 using cohesion::hard_sphere::PackedLists;
 
-/// The same as lists of their own.
+/// Expects the contents of separate lists.
 void expect_same(const PackedLists<int>& lists, const std::vector<std::vector<int> >& reference) {
   for (int n = 0; n < static_cast<int>(reference.size()); n++)
     ASSERT_TRUE(std::equal(lists.begin(n), lists.end(n), reference[n].begin(), reference[n].end()));
 }
 
-TEST(PackedLists, AreNoneAtFirst) {
+TEST(PackedLists, UseNoMemoryAtFirst) {
   PackedLists<int> lists;
   lists.reset({});
   EXPECT_EQ(lists.bytes(), 0.0);
 }
 
-TEST(PackedLists, KeepWhatListsOfTheirOwnKeep) {
+TEST(PackedLists, EqualSeparateLists) {
   std::mt19937 random(2);
   PackedLists<int> lists;
   for (const int number : {1, 2, 17, 60, 5}) {
@@ -52,8 +52,8 @@ TEST(PackedLists, KeepWhatListsOfTheirOwnKeep) {
   }
 }
 
-// PackedLists double: what they leave behind is no more than what they have.
-TEST(PackedLists, TakeNoMoreMemoryThanAFewTimesTheirItems) {
+// Capacities double: the unused memory is at most as large as the used one.
+TEST(PackedLists, MemoryIsAFewTimesTheirItems) {
   PackedLists<int> lists;
   lists.reset(std::vector<int>(100, 0));
   for (int n = 0; n < 100000; n++) lists.add(n % 100, n);

@@ -17,12 +17,12 @@ constexpr int capacity = 4;
 
 bool by_partner(const PredictedEvent& a, const PredictedEvent& b) { return a.partner < b.partner; }
 
-TEST(PredictedEvents, AreOneLineOfTheCacheOrMore) {
+TEST(PredictedEvents, AreWholeCacheLines) {
   EXPECT_EQ(sizeof(PredictedEvents) % 64, 0u);
   EXPECT_EQ(alignof(PredictedEvents), 64u);
 }
 
-TEST(PredictedEvents, NothingIsBeforeTheHorizon) {
+TEST(PredictedEvents, EndAtTheHorizon) {
   PredictedEvents events;
   EXPECT_TRUE(events.empty());
   EXPECT_EQ(events.next_time(), never);
@@ -43,8 +43,8 @@ TEST(PredictedEvents, NothingIsBeforeTheHorizon) {
   EXPECT_EQ(events.next_time(), 2.0);
 }
 
-// In whatever order they come, and however many of them are tied: the first of all that are before
-// the horizon are there, and the first that is not is the horizon.
+// In any order of insertion, with any number of ties: the list contains the first events before the
+// horizon, and the first one beyond the capacity is the new horizon.
 TEST(PredictedEvents, KeepTheFirstOfASortedMap) {
   std::mt19937 random(5);
   PredictedEvents events;

@@ -10,8 +10,7 @@
 #include "hard_sphere/gas_of_spheres.h"
 #include "hard_sphere/neighbour_list_check.h"
 
-// Steps of an engine that changes flights: by forces, by walls that move, by putting bodies
-// elsewhere.
+// Steps of an engine that changes flights: by forces, by moving walls, by relocation of bodies.
 namespace {
 
 using namespace cohesion::hard_sphere;
@@ -20,14 +19,14 @@ using cohesion::Vector3;
 const ImpactLaw sticky{0.9, 0.3, 0.2};
 constexpr double dt = 0.02;
 
-/// A box of walls, of which the floor moves, with gravity and spheres that nothing moves.
+/// A box of walls with a moving floor, gravity and immobile spheres.
 struct Shaker {
   BoxOfSpheres box{3, sticky};
   double gravity;
-  double work = 0.0, taken = 0.0;  // by gravity and the floor, and by events
+  double work = 0.0, dissipated = 0.0;  // work of gravity and floor; dissipation by events
   std::size_t events = 0;
 
-  Shaker(double given_gravity, bool frozen) : gravity(given_gravity) {
+  Shaker(double acceleration, bool frozen) : gravity(acceleration) {
     EventSimulation& simulation = box.simulation;
     simulation.walls[2].moves = true;
     for (std::size_t n = 0; frozen && n < simulation.bodies.size(); n += 2) {
@@ -37,7 +36,7 @@ struct Shaker {
     simulation.set_up(never, {});
   }
 
-  /// The floor is at 0.05 (1 - cos(2 t)), in chords.
+  /// The floor is at 0.05 (1 - cos(2 t)), with constant velocity in each step.
   void move_floor() {
     EventSimulation& simulation = box.simulation;
     MovingWall& floor = simulation.walls[2].motion;
@@ -72,7 +71,7 @@ struct Shaker {
     work += box.kinetic_energy() - before;
     simulation.run(simulation.end());
     for (const Event& event : simulation.events) {
-      taken -= event.impact.energy_change;
+      dissipated -= event.impact.energy_change;
       if (event.with_wall())
         work -= dot(event.impact.impulse, simulation.walls[-1 - event.j].motion.state.velocity);
     }
@@ -80,8 +79,8 @@ struct Shaker {
   }
 };
 
-// Each event and each kick rounds energies of order 1 by a few 1e-16.
-TEST(Steps, EnergyBalancesWithKicksWallsThatMoveAndSpheresThatNothingMoves) {
+// Each event and each velocity increment rounds energies of order 1 by a few 1e-16.
+TEST(Steps, EnergyBalancesWithForcesMovingWallsAndImmobileSpheres) {
   for (const double gravity : {0.0, 0.5})
     for (const bool frozen : {false, true}) {
       Shaker shaker(gravity, frozen);
@@ -90,7 +89,7 @@ TEST(Steps, EnergyBalancesWithKicksWallsThatMoveAndSpheresThatNothingMoves) {
       for (int n = 0; n < 1000; n++) {
         shaker.step();
         const double rounded = static_cast<double>(shaker.events + 27 * n + 27);
-        ASSERT_NEAR(shaker.box.kinetic_energy() - at_start, shaker.work - shaker.taken,
+        ASSERT_NEAR(shaker.box.kinetic_energy() - at_start, shaker.work - shaker.dissipated,
                     2e-15 * rounded);
         NeighbourListCheck(simulation).check();
         for (int i = 0; i < 27; i++)
@@ -105,7 +104,7 @@ TEST(Steps, EnergyBalancesWithKicksWallsThatMoveAndSpheresThatNothingMoves) {
     }
 }
 
-TEST(Steps, AWallInUniformMotionNeedsNoStep) {
+TEST(Steps, EventsAtAWallInUniformMotionAreIndependentOfTheStep) {
   BoxOfSpheres fine(3, sticky), coarse(3, sticky);
   for (BoxOfSpheres* box : {&fine, &coarse}) {
     box->simulation.rules.collapse_limit = 0;
@@ -122,18 +121,18 @@ TEST(Steps, AWallInUniformMotionNeedsNoStep) {
     EXPECT_TRUE(same_bits(fine.all[n], coarse.all[n])) << n;
 }
 
-/// Two that begin the same, one of which sets its clock back from time to time. They differ by
-/// the round-off of places, 1e-16 of a box of 7, which every collision multiplies by about (free
-/// path)/(radius) ~ 2; a sphere has some 10 in the time compared.
+/// Two identical simulations, one of which shifts its time origin from time to time. They differ by
+/// the round-off of positions, 1e-16 of a box of 7, which every collision multiplies by about (free
+/// path)/(radius) ~ 2; a sphere has some 10 collisions in the run.
 template <class Fill>
-void expect_the_same_after_the_clock_was_set_back(const Fill& fill, double lifetime) {
+void expect_same_events_after_origin_shift(const Fill& fill, double lifetime) {
   EventSimulation one, other;
   for (EventSimulation* gas : {&one, &other}) {
     gas->rules.collapse_limit = 0;
     fill(*gas);
     gas->set_up(lifetime, {});
   }
-  double set_back = 0.0;
+  double origin = 0.0;
   std::size_t events = 0;
   for (int n = 0; n < 50; n++) {
     for (EventSimulation* gas : {&one, &other}) {
@@ -146,13 +145,13 @@ void expect_the_same_after_the_clock_was_set_back(const Fill& fill, double lifet
       ASSERT_EQ(a.key.tag_i, b.key.tag_i) << n << ' ' << k;
       ASSERT_EQ(a.key.tag_j, b.key.tag_j) << n << ' ' << k;
       ASSERT_EQ(a.impact.kind, b.impact.kind);
-      ASSERT_NEAR(a.key.time, b.key.time + set_back, 1e-9);
+      ASSERT_NEAR(a.key.time, b.key.time + origin, 1e-9);
     }
     events += one.events.size();
     for (std::size_t i = 0; i < one.flights.size(); i++)
       ASSERT_LT(norm(one.flights[i].at(one.end()) - other.flights[i].at(other.end())), 1e-9);
     if (n % 3 == 0) {
-      set_back += other.end();
+      origin += other.end();
       other.shift_time_origin();
       EXPECT_EQ(other.end(), 0.0);
     }
@@ -161,8 +160,8 @@ void expect_the_same_after_the_clock_was_set_back(const Fill& fill, double lifet
   EXPECT_GT(events, 200u);
 }
 
-TEST(Steps, AClockSetBackChangesNoEvent) {
-  expect_the_same_after_the_clock_was_set_back(
+TEST(Steps, ShiftOfTheTimeOriginChangesNoEvent) {
+  expect_same_events_after_origin_shift(
       [](EventSimulation& gas) {
         gas.pairs.set(0, 0, contact(sticky, 1.4));
         const PeriodicBox box = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
@@ -172,8 +171,8 @@ TEST(Steps, AClockSetBackChangesNoEvent) {
       never);
 }
 
-TEST(Steps, AClockSetBackChangesNoEventUnderShear) {
-  expect_the_same_after_the_clock_was_set_back(
+TEST(Steps, ShiftOfTheTimeOriginChangesNoEventUnderShear) {
+  expect_same_events_after_origin_shift(
       [](EventSimulation& gas) {
         gas.pairs.set(0, 0, contact(sticky, 1.4));
         PeriodicBox::Edges rates;
@@ -185,9 +184,9 @@ TEST(Steps, AClockSetBackChangesNoEventUnderShear) {
       0.7);
 }
 
-TEST(Steps, AClockSetBackKnowsWhereAWallInMotionIs) {
+TEST(Steps, ShiftOfTheTimeOriginKeepsMovingWalls) {
   for (const double shear : {0.0, 0.2})
-    expect_the_same_after_the_clock_was_set_back(
+    expect_same_events_after_origin_shift(
         [shear](EventSimulation& gas) {
           gas.pairs.set(0, 0, contact(sticky, 1.4));
           PeriodicBox::Edges rates;
@@ -205,17 +204,17 @@ TEST(Steps, AClockSetBackKnowsWhereAWallInMotionIs) {
         shear > 0.0 ? 0.7 : never);
 }
 
-/// Changes the flights of some bodies, the same ones of all simulations that begin the same.
+/// Changes the flights of random bodies, the same ones in identical simulations.
 class Changes {
  public:
-  explicit Changes(bool put_elsewhere) : put_elsewhere_(put_elsewhere) {}
+  explicit Changes(bool relocate) : relocate_(relocate) {}
 
   void make(EventSimulation& gas, const PeriodicBox& box) {
     const int count = static_cast<int>(gas.bodies.size());
     std::uniform_real_distribution<double> uniform;
     std::vector<int> changed;
     for (int i = 0; i < count; i++) {
-      const bool put = put_elsewhere_ && random_() % 20 == 0;
+      const bool put = relocate_ && random_() % 20 == 0;
       if (!put && random_() % 5) continue;
       const VersionedFlight flight = gas.flights[i];
       const Vector3 change{uniform(random_) - 0.5, uniform(random_) - 0.5, uniform(random_) - 0.5};
@@ -232,16 +231,16 @@ class Changes {
   }
 
  private:
-  bool put_elsewhere_;
+  bool relocate_;
   std::mt19937 random_{9};
 };
 
-/// One simulation goes on with the lists that it has; those of the other are made anew before each
-/// step. The same happens in both, to the last bit.
-void expect_the_same_as_with_new_lists(const ImpactLaw& law, bool put_elsewhere) {
+/// One simulation keeps its lists, the other one rebuilds them before each step. Expects the same
+/// events to the last bit.
+void expect_same_events_as_with_new_lists(const ImpactLaw& law, bool relocate) {
   const PeriodicBox box = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
   EventSimulation one, other;
-  Changes changes_of_one(put_elsewhere), changes_of_other(put_elsewhere);
+  Changes changes_of_one(relocate), changes_of_other(relocate);
   for (EventSimulation* gas : {&one, &other}) {
     gas->pairs.set(0, 0, contact(law, 1.4));
     gas->rules.collapse_limit = 0;
@@ -267,20 +266,18 @@ void expect_the_same_as_with_new_lists(const ImpactLaw& law, bool put_elsewhere)
   EXPECT_GT(events, 300u);
 }
 
-TEST(Steps, ForcesAreKnownByTheListsThatThereAre) {
-  expect_the_same_as_with_new_lists(sticky, false);
+TEST(Steps, ListsStayCompleteWithForces) { expect_same_events_as_with_new_lists(sticky, false); }
+
+TEST(Steps, ListsContainRelocatedBodies) {
+  expect_same_events_as_with_new_lists({0.9, 0.3, 0.0}, true);
 }
 
-TEST(Steps, BodiesThatArePutElsewhereAreKnownThere) {
-  expect_the_same_as_with_new_lists({0.9, 0.3, 0.0}, true);
+TEST(Steps, WellsOfRelocatedBodiesAreUpdated) {
+  expect_same_events_as_with_new_lists(sticky, true);
 }
 
-TEST(Steps, BodiesThatArePutElsewhereAreInTheWellsThereAndInNoneWhereTheyWere) {
-  expect_the_same_as_with_new_lists(sticky, true);
-}
-
-// A pair in its well, of which one is put far away, and back later.
-TEST(Steps, AWellIsLeftWithoutAnEventByABodyThatIsPutElsewhere) {
+// One body of a bound pair is relocated far away, and later back.
+TEST(Steps, RelocatedBodyLeavesItsWellWithoutAnEvent) {
   EventSimulation simulation;
   simulation.pairs.set(0, 0, contact(sticky, 1.5));
   for (int n = 0; n < 2; n++) {
@@ -308,7 +305,7 @@ TEST(Steps, AWellIsLeftWithoutAnEventByABodyThatIsPutElsewhere) {
       simulation.predict(moved);
       EXPECT_EQ(is_inside(0), away == 0.0) << moved;
       EXPECT_EQ(is_inside(1), away == 0.0) << moved;
-      // The other one leaves and returns: nobody is where the well was.
+      // The other body moves away and returns: there is no well any more.
       change_flight(simulation, 1 - moved, simulation.flights[1 - moved].position,
                     {0.0, away > 0.0 ? 0.1 : 0.0, 0.0});
       simulation.predict(1 - moved);

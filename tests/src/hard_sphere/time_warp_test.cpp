@@ -15,8 +15,8 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-/// Several simulations of the same bodies, each of which has its own part of them; the others are
-/// remote there. Updates go from owners to all others, until none differ, as processes do it.
+/// Several simulations of the same bodies. Each owns a part of them and has remote copies of the
+/// others. They exchange messages as processes do.
 class PartitionedSimulation {
  public:
   int rounds = 0;
@@ -55,7 +55,7 @@ class PartitionedSimulation {
     return simulations_[owner(body)].bodies[body].event_state;
   }
 
-  /// The events of all parts in this step, those of two parts once, in order.
+  /// The events of all parts in this step, sorted; an event of two parts is included once.
   std::vector<Event> events() const {
     std::vector<Event> all;
     for (std::size_t p = 0; p < simulations_.size(); p++)
@@ -65,7 +65,7 @@ class PartitionedSimulation {
     return all;
   }
 
-  /// Every process has the same flights of all bodies.
+  /// Expects the same flights of all bodies in each part.
   void expect_agreement() const {
     for (const TimeWarp& part : simulations_)
       for (std::size_t n = 0; n < part.bodies.size(); n++) {
@@ -127,8 +127,9 @@ void expect_same_events(EventSimulation& whole, PartitionedSimulation& split, in
     ASSERT_TRUE(same(whole.flights[n], split.flight(static_cast<int>(n)))) << n;
 }
 
-// Neighbours belong to different parts nearly always: nearly every event is one of two parts.
-TEST(TimeWarp, PartitionedSimulationDoWhatOneDoesInABox) {
+// Neighbours nearly always belong to different parts, so that nearly every event involves two
+// parts.
+TEST(TimeWarp, PartsHaveTheSameEventsInABox) {
   for (const ImpactLaw& law :
        {ImpactLaw{0.9, 0.3, 0.3}, ImpactLaw{1.0, 0.0, 0.3}, ImpactLaw{0.9, 0.3, 0.0}})
     for (const int parts : {2, 3, 5})
@@ -141,8 +142,9 @@ TEST(TimeWarp, PartitionedSimulationDoWhatOneDoesInABox) {
       }
 }
 
-constexpr double lifetime_of_homes = 0.5;  // of several in a run
-constexpr double small_margin = 0.15;      // a home is left after a fraction of a flight
+constexpr double neighbourhood_lifetime = 0.5;  // short: several lifetimes in a run
+constexpr double small_margin =
+    0.15;  // small: bodies leave their neighbourhoods after a fraction of a flight
 
 /// A gas with wells in a periodic box.
 void set_gas(EventSimulation& gas, int edge, double space, const ImpactLaw& law, double ratio,
@@ -170,44 +172,45 @@ void set_gas(EventSimulation& gas, int edge, double space, const ImpactLaw& law,
   }
   gas.neighbour_lists().bodies_in_box = static_cast<double>(gas.bodies.size());
   gas.reset_time(box);
-  gas.set_up(lifetime_of_homes, {});
+  gas.set_up(neighbourhood_lifetime, {});
 }
 
-TEST(TimeWarp, PartitionedSimulationDoWhatOneDoesInPeriodicBoxes) {
+TEST(TimeWarp, PartsHaveTheSameEventsInPeriodicBoxes) {
   for (const double rate : {0.0, 0.2})
     for (const int parts : {2, 5})
       for (const double dt : {0.05, 0.4}) {
         EventSimulation whole;
         set_gas(whole, 5, 1.3, {0.95, 0.2, 0.5}, 1.3, rate);
-        PartitionedSimulation split(whole, parts, lifetime_of_homes);
+        PartitionedSimulation split(whole, parts, neighbourhood_lifetime);
         std::size_t events = 0;
         expect_same_events(whole, split, dt < 0.1 ? 16 : 3, dt, 2, events);
         EXPECT_GT(events, 500u);
       }
 }
 
-// In one stretch bodies fly through several homes: who is put back meets others where they were, in
-// homes that these have left, and who is met there has its home elsewhere.
-TEST(TimeWarp, PartitionedSimulationFindWhoHasLeftHomes) {
+// In one window bodies fly through several neighbourhoods. Bodies after a rollback meet others at
+// positions in neighbourhoods that these have left since, and rolled-back partners have their
+// neighbourhoods elsewhere.
+TEST(TimeWarp, PartsHaveTheSameEventsWhenBodiesLeaveNeighbourhoods) {
   for (const double friction : {0.0, 0.2})
     for (const double rate : {0.0, 0.2})
       for (const int parts : {2, 5}) {
         EventSimulation whole;
         whole.neighbour_lists().margin = small_margin;
         set_gas(whole, 6, 1.6, {1.0, friction, 0.5}, 1.1, rate);
-        PartitionedSimulation split(whole, parts, lifetime_of_homes);
+        PartitionedSimulation split(whole, parts, neighbourhood_lifetime);
         std::size_t events = 0;
         expect_same_events(whole, split, 2, 0.6, 1, events);
         EXPECT_GT(events, 500u);
       }
 }
 
-// Spheres that are bound by narrow wells so deep that the rule of rest acts from the start.
-TEST(TimeWarp, PartitionedSimulationDoWhatOneDoesInABoundCluster) {
+// Spheres bound by narrow wells so deep that the rule of rest acts from the start.
+TEST(TimeWarp, PartsHaveTheSameEventsInABoundCluster) {
   for (const int parts : {2, 3}) {
     EventSimulation whole;
     set_gas(whole, 3, 1.005, {0.5, 0.2, 1e4}, 1.01, 0.0);
-    PartitionedSimulation split(whole, parts, lifetime_of_homes);
+    PartitionedSimulation split(whole, parts, neighbourhood_lifetime);
     std::size_t events = 0;
     expect_same_events(whole, split, 10, 0.05, 4, events);
     EXPECT_GT(events, 1000u);
@@ -217,9 +220,9 @@ TEST(TimeWarp, PartitionedSimulationDoWhatOneDoesInABoundCluster) {
   }
 }
 
-// A blow runs down a row of touching spheres in no time: events of one instant, one causing the
-// next, with tags that do not rise along the row.
-TEST(TimeWarp, PartitionedSimulationAgreeOnEventsOfOneInstant) {
+// Momentum passes through a row of touching spheres at one instant: a chain of events, each the
+// cause of the next, with tags in another order than the row.
+TEST(TimeWarp, PartsHaveTheSameEventsAtOneInstant) {
   EventSimulation whole;
   whole.pairs.set(0, 0, contact({}));
   const int positions[] = {3, 0, 4, 1, 5, 2};
