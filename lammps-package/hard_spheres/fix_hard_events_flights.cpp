@@ -241,7 +241,7 @@ void FixHardEvents::load_changes(double dt) {
     EventState event_state = body.event_state;
     event_state.causal_depth = -1;
     changed_bodies_.push_back({i, away > RELOCATION_DISTANCE * body.radius});
-    simulation_.change_flight(i, flight, event_state, changed_bodies_.back().moved);
+    simulation_.change_flight(i, flight, event_state, changed_bodies_.back().relocated);
   }
 }
 

@@ -21,9 +21,9 @@ HardEventTimeWarp::HardEventTimeWarp(LAMMPS* lammps, TimeWarp& simulation)
     : Pointers(lammps), simulation_(simulation), border_(world), own_count_(0), event_rate_(-1.0) {}
 
 HardEventTimeWarp::BodyMessage HardEventTimeWarp::body_message(int body, int slot,
-                                                               bool moved) const {
+                                                               bool relocated) const {
   const HardSphere& b = simulation_.bodies[body];
-  return {slot, moved, b.speed_increment, simulation_.flights[body], b.event_state};
+  return {slot, relocated, b.speed_increment, simulation_.flights[body], b.event_state};
 }
 
 void HardEventTimeWarp::set_remote_particles(
@@ -58,14 +58,14 @@ void HardEventTimeWarp::exchange_changes(std::vector<ChangedBody>& changed) {
   std::vector<std::vector<BodyMessage> > out(border_.peers().size()), in;
   for (const ChangedBody& own : changed)
     for (const BorderExchange::Receiver& receiver : border_.receivers(own.body))
-      out[receiver.peer].push_back(body_message(own.body, receiver.slot, own.moved));
+      out[receiver.peer].push_back(body_message(own.body, receiver.slot, own.relocated));
   border_.exchange(out, in);
   for (int p = 0; p < static_cast<int>(in.size()); p++)
     for (const BodyMessage& remote : in[p]) {
       const int body = border_.received_particle(p, remote.slot);
       simulation_.bodies[body].speed_increment = remote.speed_increment;
-      simulation_.change_flight(body, remote.flight, remote.event_state, remote.moved);
-      changed.push_back({body, remote.moved});
+      simulation_.change_flight(body, remote.flight, remote.event_state, remote.relocated);
+      changed.push_back({body, remote.relocated});
     }
 }
 

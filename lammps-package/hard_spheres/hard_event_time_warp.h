@@ -20,10 +20,10 @@ class HardEventTimeWarp : protected Pointers {
   HardEventTimeWarp(class LAMMPS*, cohesion::hard_sphere::TimeWarp&);
 
   /// A body whose flight, spin or velocity increment the engine has changed since the last step.
-  /// `moved`: as in EventSimulation::change_flight().
+  /// `relocated`: as in EventSimulation::change_flight().
   struct ChangedBody {
     int body;
-    bool moved;
+    bool relocated;
   };
 
   /// Collective: sets the remote particles of this process, in the order of their bodies.
@@ -43,7 +43,7 @@ class HardEventTimeWarp : protected Pointers {
  private:
   struct BodyMessage {
     int slot;
-    bool moved;
+    bool relocated;
     double speed_increment;
     cohesion::hard_sphere::FreeFlight flight;
     cohesion::hard_sphere::EventState event_state;
@@ -55,7 +55,7 @@ class HardEventTimeWarp : protected Pointers {
     cohesion::hard_sphere::EventMessage message;
   };
 
-  BodyMessage body_message(int body, int slot, bool moved) const;
+  BodyMessage body_message(int body, int slot, bool relocated) const;
   void run_window(double from, double until);
   void exchange_messages();
 

@@ -314,7 +314,7 @@ class BoundingNeighbourhoods {
   /// root of `limit`.
   template <class Near>
   void search_cells(int first_cell, int cells, int i, const Cells::BoxOffset& box_offset,
-                    double now, double most, const Near& near) {
+                    double now, double limit, const Near& near) {
     Vector3 from = neighbourhoods_[i].wrapped_centre;
     if (box_offset[0] != 0 || box_offset[1] != 0 || box_offset[2] != 0)
       from -= flow_.box().edges *
@@ -329,7 +329,7 @@ class BoundingNeighbourhoods {
            square);
     };
     flow_.with_least_squared_distance(now, [&](const auto& square) {
-      cells_.for_each_near(first_cell, cells, from, most, square, found);
+      cells_.for_each_near(first_cell, cells, from, limit, square, found);
     });
   }
 

@@ -109,16 +109,16 @@ class EventSimulation : public EventPredictor {
   double end() const { return end_; }
   const PeriodicBox& box() const { return box_; }
 
-  /// Sets a flight that the engine has changed at the beginning of the step. `moved`: the engine
-  /// has relocated the body, which enters and leaves wells without events. The caller then calls
-  /// predict(), after all bodies have their flights.
+  /// Sets a flight that the engine has changed at the beginning of the step. `relocated`: the
+  /// engine has relocated the body, which enters and leaves wells without events. The caller then
+  /// calls predict(), after all bodies have their flights.
   void change_flight(int body, const FreeFlight& flight, const EventState& event_state,
-                     bool moved) {
+                     bool relocated) {
     set_flight(body, flight, event_state);
     const Vector3 position = flight.at(start_);
-    if (moved || !neighbour_lists_.neighbourhood_contains(body, position, start_))
+    if (relocated || !neighbour_lists_.neighbourhood_contains(body, position, start_))
       neighbour_lists_.renew(body, flights[body], start_, start_, [] { return true; });
-    if (!moved) return;
+    if (!relocated) return;
     for (Neighbour* n = neighbour_lists_.begin(body); n != neighbour_lists_.end(body); n++)
       if (n->has_well)
         neighbour_lists_.set_inside(body, *n,

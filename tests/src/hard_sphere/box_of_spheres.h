@@ -26,14 +26,14 @@ inline HardContactParameters contact(const ImpactLaw& law, double ratio = 1.0) {
 
 /// Sets the position and velocity of a body at the beginning of the step, as an engine does.
 inline void change_flight(EventSimulation& simulation, int body, const Vector3& position,
-                          const Vector3& velocity, bool moved = false) {
+                          const Vector3& velocity, bool relocated = false) {
   VersionedFlight flight;
   flight.position = position;
   flight.velocity = velocity;
   flight.start_time = simulation.start();
   EventState event_state = simulation.bodies[body].event_state;
   event_state.causal_depth = -1;
-  simulation.change_flight(body, flight, event_state, moved);
+  simulation.change_flight(body, flight, event_state, relocated);
 }
 
 /// Adds a velocity increment at the beginning of the step.

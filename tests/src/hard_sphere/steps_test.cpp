@@ -297,24 +297,25 @@ TEST(Steps, RelocatedBodyLeavesItsWellWithoutAnEvent) {
     return pair && pair->inside;
   };
   EXPECT_TRUE(is_inside(0) && is_inside(1));
-  for (const int moved : {1, 0}) {
+  for (const int relocated : {1, 0}) {
     for (const double away : {15.0, 0.0}) {
       simulation.begin_step(1.0);
-      const double x = moved == 1 ? 1.2 + away : away > 0.0 ? 16.2 : 0.0;
-      change_flight(simulation, moved, {x, 0.0, 0.0}, {}, true);
-      simulation.predict(moved);
-      EXPECT_EQ(is_inside(0), away == 0.0) << moved;
-      EXPECT_EQ(is_inside(1), away == 0.0) << moved;
+      const double x = relocated == 1 ? 1.2 + away : away > 0.0 ? 16.2 : 0.0;
+      change_flight(simulation, relocated, {x, 0.0, 0.0}, {}, true);
+      simulation.predict(relocated);
+      EXPECT_EQ(is_inside(0), away == 0.0) << relocated;
+      EXPECT_EQ(is_inside(1), away == 0.0) << relocated;
       // The other body moves away and returns: there is no well any more.
-      change_flight(simulation, 1 - moved, simulation.flights[1 - moved].position,
+      change_flight(simulation, 1 - relocated, simulation.flights[1 - relocated].position,
                     {0.0, away > 0.0 ? 0.1 : 0.0, 0.0});
-      simulation.predict(1 - moved);
+      simulation.predict(1 - relocated);
       simulation.run(simulation.end());
       EXPECT_EQ(simulation.events.size(), 0u);
       simulation.begin_step(1.0);
-      change_flight(simulation, 1 - moved, simulation.flights[1 - moved].at(simulation.start()),
+      change_flight(simulation, 1 - relocated,
+                    simulation.flights[1 - relocated].at(simulation.start()),
                     {0.0, away > 0.0 ? -0.1 : 0.0, 0.0});
-      simulation.predict(1 - moved);
+      simulation.predict(1 - relocated);
       simulation.run(simulation.end());
       EXPECT_EQ(simulation.events.size(), 0u);
     }
