@@ -30,7 +30,7 @@ static constexpr double REACH = 0.25;
 static constexpr int LAYOUT = 4;  // of settings and HardContact in restart files
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
-    : Pair(lammps), contacts_(lammps), events_(nullptr) {
+    : Pair(lammps), contacts_(lammps), event_fix_(nullptr) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
@@ -59,7 +59,7 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
-    for (const Event& event : events_->simulation().events) {
+    for (const Event& event : event_fix_->simulation().events) {
       if (event.with_wall()) continue;
       const auto on_i = per_time * event.impact.impulse;
       const auto& r = event.separation;
@@ -68,10 +68,10 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
     }
   }
   if (!eflag_either) return;
-  events_->simulation().for_each_pair([this](int i, const Neighbour& n) {
+  event_fix_->simulation().for_each_pair([this](int i, const Neighbour& n) {
     if (!n.inside || n.is_wall()) return;
-    const HardSphere &a = events_->simulation().bodies[i],
-                     &b = events_->simulation().bodies[n.body];
+    const HardSphere &a = event_fix_->simulation().bodies[i],
+                     &b = event_fix_->simulation().bodies[n.body];
     const double depth = contact(a.material, b.material).well.depth;
     ev_tally(i, n.body, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
   });
@@ -79,12 +79,12 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
 
 /// A pair is bound while it is in its well.
 void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) const {
-  for (const FixHardEvents::PairInWell& pair : events_->pairs_in_wells())
+  for (const FixHardEvents::PairInWell& pair : event_fix_->pairs_in_wells())
     pairs.push_back({pair.i, pair.j});
 }
 
 void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) const {
-  for (const auto& [i, j, separation, relative_velocity] : events_->pairs_in_wells()) {
+  for (const auto& [i, j, separation, relative_velocity] : event_fix_->pairs_in_wells()) {
     const auto& well = contact(atom->type[i], atom->type[j]).well;
     if (cohesion::square_well::will_be_captured(
             separation, -relative_velocity,
@@ -166,7 +166,7 @@ void PairHardSquareWell::init_style() {
     error->all(FLERR, "pair_style hard/square_well acts between spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
-  events_ = FixHardEvents::find_or_create(lmp);
+  event_fix_ = FixHardEvents::find_or_create(lmp);
   contacts_.commit();
   require_plausible_spheres(lmp, "pair_style hard/square_well");
   require_whole_special_factors(lmp, this, "pair_style hard/square_well", false);

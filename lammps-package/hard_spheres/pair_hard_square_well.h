@@ -56,7 +56,7 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   std::string record_file_;
   TypePairTable<HardContact> contacts_;
   std::vector<double> largest_radius_;
-  class FixHardEvents* events_;
+  class FixHardEvents* event_fix_;
   std::vector<bool> active_;  // by pair of types
 };
 

@@ -29,11 +29,10 @@ struct alignas(64) VersionedFlight : FreeFlight {
 struct EventState {
   Vector3 spin;
   double last_collision = -never;  ///< within this step, [time]
-  int causal_depth =
-      -1;              ///< EventKey::causal_depth of the event at the start of the flight; -1: none
-  int collisions = 0;  ///< within the step
-  int events = 0;      ///< within the step
-  int step = 0;        ///< number of the step that the counters belong to
+  int causal_depth = -1;           ///< of the event at the start of the flight; -1: none
+  int collisions = 0;              ///< within the step
+  int events = 0;                  ///< within the step
+  int step = 0;                    ///< number of the step that the counters belong to
 };
 
 inline bool same(const Vector3& a, const Vector3& b) {
@@ -54,6 +53,8 @@ inline double speed_increment(const Vector3& force, double inverse_mass, double 
   return dt * inverse_mass * norm(force);
 }
 
+/// A body of the simulation. A hard sphere that is immobile has a flight, too, at constant
+/// velocity.
 struct HardSphere {
   double inverse_mass = 0.0;     ///< [1/mass]; 0: immobile
   double inverse_inertia = 0.0;  ///< [1/(mass length^2)]

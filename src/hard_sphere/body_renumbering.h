@@ -12,7 +12,7 @@ namespace cohesion::hard_sphere {
 class BodyRenumbering {
  public:
   /// Body n had the number old_numbers[n] among `bodies` bodies; a negative entry is a new body.
-  /// Bodies that are absent from old_number are removed.
+  /// Bodies that are absent from old_numbers are removed.
   BodyRenumbering(std::vector<int> old_numbers, std::size_t bodies)
       : old_numbers_(std::move(old_numbers)), new_numbers_(bodies, -1) {
     for (int n = 0; n < static_cast<int>(old_numbers_.size()); n++) {

@@ -64,14 +64,14 @@ inline CollisionImpulses collide(const Vector3& k, const CollisionPartner& i,
   CollisionImpulses done;
   done.normal_impulse = (1.0 + restitution) * c0 / b2;
   done.dissipated = 0.5 * c0 * c0 * (1.0 - restitution * restitution) / b2;
-  const auto part_with = [&](double speed) {
+  const auto separate_with = [&](double speed) {
     done.normal_impulse = (c0 + speed) / b2;
     done.dissipated = 0.5 * (c0 - speed) * (c0 + speed) / b2;
     done.rest_rule_energy = 0.5 * (speed - slow) * (speed + slow) / b2;
   };
   const double separation_speed =
       std::max({slow, least.energy_adding, std::min(c0, least.energy_limited)});
-  if (separation_speed > slow) part_with(separation_speed);
+  if (separation_speed > slow) separate_with(separation_speed);
   if (friction == 0.0 || done.normal_impulse <= 0.0) return done;
 
   const Vector3 sliding = relative - c0 * k + cross(i.radius * i.spin + j.radius * j.spin, k);
@@ -84,8 +84,8 @@ inline CollisionImpulses collide(const Vector3& k, const CollisionPartner& i,
   done.tangential_impulse = (size / s0) * sliding;
   const double by_friction = size * (s0 - 0.5 * size * b1);
   if (separation_speed < least.energy_limited)
-    part_with(std::min(least.energy_limited,
-                       std::sqrt(separation_speed * separation_speed + 2.0 * b2 * by_friction)));
+    separate_with(std::min(least.energy_limited, std::sqrt(separation_speed * separation_speed +
+                                                           2.0 * b2 * by_friction)));
   done.dissipated += by_friction;
   return done;
 }

@@ -8,8 +8,8 @@
 #include "hard_sphere/impact.h"
 #include "vector3.h"
 
-/// Time at which two bodies in free flight reach the next surface: the roots of |r + w t| = S, B.
-/// J. Alder, T. E. Wainwright, J. Chem. Phys. 31 (1959) 459.
+/// Time at which two bodies in free flight reach the next surface: the roots of |r + w t| = S:
+/// B. J. Alder, T. E. Wainwright, J. Chem. Phys. 31 (1959) 459.
 ///
 /// The state of the pair decides which surface that can be, not the distance alone: a flag stores
 /// whether the pair is in its well, and the sign of b = r.w whether it approaches. So round-off at

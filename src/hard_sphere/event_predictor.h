@@ -35,8 +35,8 @@ class EventPredictor {
   /// Predicts the events of a body.
   void predict(int i) { predict(i, i, 0); }
 
-  /// Predicts the events of all bodies that may meet a moving wall, whose velocity changes in each
-  /// step.
+  /// Predicts the events of all bodies that may meet a moving wall, whose velocity can
+  /// change in each step.
   void predict_at_moving_walls() {
     if (std::none_of(walls.begin(), walls.end(), [](const HardWall& w) { return w.moves; })) return;
     for (int i = 0; i < count(); i++)
@@ -140,8 +140,8 @@ class EventPredictor {
       event.partner = list.front().partner;
       event.depth = event_key(body, list.front()).causal_depth;
     }
-    event_queue_.replace(event, EarlierKey{*this}, [this](int comes, std::size_t subtrees) {
-      prefetch_turn(comes, subtrees);
+    event_queue_.replace(event, EarlierKey{*this}, [this](int leader, std::size_t subtrees) {
+      prefetch_turn(leader, subtrees);
     });
   }
 

@@ -29,8 +29,11 @@ namespace cohesion::hard_sphere {
 /// The force F on a contact of a bed is not bounded by the weight above it: a row of spheres that
 /// just fits between two walls is pressed flat by an unbounded force. If G were constant, N would
 /// grow as F. If G grew as n, particles in a narrow gap would accelerate without bound within the
-/// step. With sqrt(n) the speeds stay bounded: in a gap with the clearance s there are at most (C a
-/// dt^2/(2 s))^2 collisions.
+/// step. With sqrt(n) the speeds stay bounded: in a gap with the clearance s there are at most
+///
+///   N = (C a dt^2/(2 s))^2
+///
+/// collisions.
 ///
 /// 2. Where wells press particles together, independent of the step:
 ///
@@ -48,10 +51,10 @@ namespace cohesion::hard_sphere {
 /// are energy and momentum. A rotation changes the angular momentum of the pair by the fraction
 /// 1e-6 C^2 of the width over the distance.
 struct EventRules {
-  int collapse_limit =
-      100;  ///< collisions of a particle in a step before further ones are elastic; 0: off
-  double contact_time =
-      0.0;  ///< a collision sooner after the previous one of a particle is elastic, [time]
+  /// Collisions of a particle in a step before further ones are elastic; 0: off.
+  int collapse_limit = 100;
+  /// A collision sooner after the previous one of a particle is elastic, [time].
+  double contact_time = 0.0;
   double rest_factor = 1.0;  ///< C of the rule of rest, [1]; 0: off
   int event_limit = 100000;  ///< events of a particle in a step before the run stops
 
@@ -78,10 +81,10 @@ struct EventRules {
   }
 
  private:
-  static constexpr double width_fraction_root =
-      1e-3;  // square root of the fraction of the width, for C = 1
-  static constexpr double fall_speed_fraction =
-      1e-3;  // K over the speed of a fall into the well, for C = n = 1
+  /// Square root of the fraction of the width, for C = 1.
+  static constexpr double width_fraction_root = 1e-3;
+  /// K over the speed of a fall into the well, for C = n = 1.
+  static constexpr double fall_speed_fraction = 1e-3;
 };
 
 }  // namespace cohesion::hard_sphere

@@ -274,18 +274,18 @@ class EventSimulation : public EventPredictor {
     const bool elastic = is_collision && (rules.is_made_elastic(state_i, time) ||
                                           (state_j && rules.is_made_elastic(*state_j, time)));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    ImpactOutcome now = compute_impact(predicted.surface, k, law,
-                                       collision_partner(bodies[i], flights[i]), partner, least);
-    if (elastic && j < 0) reflect_off_concave_wall(i, pair, k, now);
-    if (now.kind == EventKind::capture && j >= 0)
-      return_within_edge(i, j, partner, k, distance, least, now);
+    ImpactOutcome outcome = compute_impact(
+        predicted.surface, k, law, collision_partner(bodies[i], flights[i]), partner, least);
+    if (elastic && j < 0) reflect_off_concave_wall(i, pair, k, outcome);
+    if (outcome.kind == EventKind::capture && j >= 0)
+      return_within_edge(i, j, partner, k, distance, least, outcome);
 
-    events.push_back(
-        {when, i, j, image, elastic, pair.inside, distance, separation, flights[i].at(time), now});
+    events.push_back({when, i, j, image, elastic, pair.inside, distance, separation,
+                      flights[i].at(time), outcome});
     before_event(events.back());
-    neighbour_lists_.set_inside(i, pair, now.inside);
-    apply_impulse(i, -1.0, now, when, is_collision);
-    if (j >= 0) apply_impulse(j, 1.0, now, when, is_collision);
+    neighbour_lists_.set_inside(i, pair, outcome.inside);
+    apply_impulse(i, -1.0, outcome, when, is_collision);
+    if (j >= 0) apply_impulse(j, 1.0, outcome, when, is_collision);
     after_event(events.back());
     predict(i);
     if (j >= 0) predict(j, i, neighbour_lists_.image(image).opposite);
@@ -296,32 +296,33 @@ class EventSimulation : public EventPredictor {
   /// Rotates the velocity after an elastic collision of the rule against collapse so that the body
   /// leaves a cylinder for minimum_time_off_wall().
   void reflect_off_concave_wall(int i, const Neighbour& pair, const Vector3& k,
-                                ImpactOutcome& now) const {
+                                ImpactOutcome& outcome) const {
     const Wall& wall = walls[pair.wall()].motion.wall;
     if (wall.shape != Wall::z_cylinder) return;
     const HardSphere& body = bodies[i];
     const Vector3& before = flights[i].velocity;
-    const Vector3 after = velocity_off_concave_wall(before - body.inverse_mass * now.impulse, k,
+    const Vector3 after = velocity_off_concave_wall(before - body.inverse_mass * outcome.impulse, k,
                                                     wall.position - surfaces(i, pair.body).core,
                                                     minimum_time_off_wall());
-    now.impulse = (1.0 / body.inverse_mass) * (before - after);
-    now.normal_impulse = dot(k, now.impulse);
+    outcome.impulse = (1.0 / body.inverse_mass) * (before - after);
+    outcome.normal_impulse = dot(k, outcome.impulse);
   }
 
   /// Rotates the relative velocity after a capture so that the pair returns within the edge, and by
   /// the rule of rest.
   void return_within_edge(int i, int j, const CollisionPartner& partner, const Vector3& k,
                           double distance, const MinimumSeparationSpeeds& least,
-                          ImpactOutcome& now) const {
+                          ImpactOutcome& outcome) const {
     const double b = bodies[i].inverse_mass + partner.inverse_mass;
-    const Vector3 before = partner.velocity - flights[i].velocity, after = before + b * now.impulse;
+    const Vector3 before = partner.velocity - flights[i].velocity,
+                  after = before + b * outcome.impulse;
     const SurfaceDistances at = surfaces(i, j);
     const Vector3 returning = velocity_within_edge(
         after, k, distance, at.edge,
         std::min(least.energy_limited, rules.inward_speed_at_edge(norm(after), at)));
     if (same(returning, after)) return;
-    now.impulse = (1.0 / b) * (returning - before);
-    now.normal_impulse = dot(k, now.impulse);
+    outcome.impulse = (1.0 / b) * (returning - before);
+    outcome.normal_impulse = dot(k, outcome.impulse);
   }
 
   /// Least time between an elastic collision with a concave wall and the next one, [time].
@@ -362,16 +363,16 @@ class EventSimulation : public EventPredictor {
     return depth < never ? depth : 0.0;
   }
 
-  void apply_impulse(int body, double side, const ImpactOutcome& now, const EventKey& when,
+  void apply_impulse(int body, double side, const ImpactOutcome& outcome, const EventKey& when,
                      bool is_collision) {
     HardSphere& b = bodies[body];
     VersionedFlight& flight = flights[body];
     flight.position = flight.at(when.time);
-    flight.velocity += (side * b.inverse_mass) * now.impulse;
+    flight.velocity += (side * b.inverse_mass) * outcome.impulse;
     flight.start_time = when.time;
     flight.version++;
     EventState& event_state = b.event_state;
-    event_state.spin -= (b.radius * b.inverse_inertia) * now.spin_impulse;
+    event_state.spin -= (b.radius * b.inverse_inertia) * outcome.spin_impulse;
     event_state.causal_depth = when.causal_depth;
     event_state.collisions += is_collision;
     if (is_collision) event_state.last_collision = when.time;

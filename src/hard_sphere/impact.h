@@ -39,9 +39,8 @@ struct ImpactOutcome {
   bool inside = false;          ///< whether the pair is in the well afterwards
   double normal_impulse = 0.0;  ///< J, [momentum], positive repels
   Vector3 impulse;              ///< on j; the reverse acts on i, [momentum]
-  Vector3 spin_impulse;        ///< k x tangential impulse; each spin changes by -radius/I times it,
-                               ///< [momentum]
-  double energy_change = 0.0;  ///< of the kinetic energy with rotation, [energy]
+  Vector3 spin_impulse;  ///< k x tangential impulse; spins change by -radius/I times it, [momentum]
+  double energy_change = 0.0;     ///< of the kinetic energy with rotation, [energy]
   double rest_rule_energy = 0.0;  ///< CollisionImpulses::rest_rule_energy, [energy]
 };
 
@@ -50,35 +49,35 @@ struct ImpactOutcome {
 inline ImpactOutcome compute_impact(Surface surface, const Vector3& k, const ImpactLaw& law,
                                     const CollisionPartner& i, const CollisionPartner& j,
                                     const MinimumSeparationSpeeds& least = {}) {
-  ImpactOutcome now;
+  ImpactOutcome outcome;
   if (surface == Surface::core) {
     const CollisionImpulses hit = collide(k, i, j, law.restitution, law.friction, least);
-    now.inside = law.depth > 0.0;
-    now.normal_impulse = hit.normal_impulse;
-    now.impulse = hit.normal_impulse * k + hit.tangential_impulse;
-    now.spin_impulse = cross(k, hit.tangential_impulse);
-    now.energy_change = -hit.dissipated;
-    now.rest_rule_energy = hit.rest_rule_energy;
-    return now;
+    outcome.inside = law.depth > 0.0;
+    outcome.normal_impulse = hit.normal_impulse;
+    outcome.impulse = hit.normal_impulse * k + hit.tangential_impulse;
+    outcome.spin_impulse = cross(k, hit.tangential_impulse);
+    outcome.energy_change = -hit.dissipated;
+    outcome.rest_rule_energy = hit.rest_rule_energy;
+    return outcome;
   }
   const double b = i.inverse_mass + j.inverse_mass;
   const double u = dot(k, i.velocity - j.velocity);
   if (surface == Surface::edge_inward) {
-    now.kind = EventKind::approach;
-    now.inside = true;
-    now.normal_impulse = square_well::approach_impulse(u, law.depth, b);
-    now.energy_change = law.depth;
+    outcome.kind = EventKind::approach;
+    outcome.inside = true;
+    outcome.normal_impulse = square_well::approach_impulse(u, law.depth, b);
+    outcome.energy_change = law.depth;
   } else if (square_well::escapes(u, law.depth, b)) {
-    now.kind = EventKind::escape;
-    now.normal_impulse = square_well::escape_impulse(u, law.depth, b);
-    now.energy_change = -law.depth;
+    outcome.kind = EventKind::escape;
+    outcome.normal_impulse = square_well::escape_impulse(u, law.depth, b);
+    outcome.energy_change = -law.depth;
   } else {
-    now.kind = EventKind::capture;
-    now.inside = true;
-    now.normal_impulse = square_well::capture_impulse(u, b);
+    outcome.kind = EventKind::capture;
+    outcome.inside = true;
+    outcome.normal_impulse = square_well::capture_impulse(u, b);
   }
-  now.impulse = now.normal_impulse * k;
-  return now;
+  outcome.impulse = outcome.normal_impulse * k;
+  return outcome;
 }
 
 }  // namespace cohesion::hard_sphere

@@ -281,17 +281,17 @@ class NeighbourLists : public BoundingNeighbourhoods {
   }
 
   void add_walls(int i, const Vector3& position, double now) {
-    const HardSphere& of = body(i);
+    const HardSphere& sphere = body(i);
     const BoundingNeighbourhood& neighbourhood = this->neighbourhood(i);
     for (int w = 0; w < static_cast<int>(walls_->size()); w++) {
       const HardWall& wall = (*walls_)[w];
-      if (!wall.interacts_with(of)) continue;
+      if (!wall.interacts_with(sphere)) continue;
       const auto distance = [&](const Vector3& from) {
         return wall.motion.wall.nearest(from, wall.motion.at(now), 0.0).distance;
       };
       // A wall acts on one side only.
       if (distance(position) <= 0.0) continue;
-      const SurfaceDistances surfaces = wall.surfaces(of);
+      const SurfaceDistances surfaces = wall.surfaces(sphere);
       const double reach = std::max(surfaces.core, surfaces.edge) + neighbourhood.radius;
       if (!wall.moves && distance(neighbourhood.centre_at(now)) >= reach &&
           (!flow() || distance(neighbourhood.centre_at(now + flow().lifetime())) >= reach))

@@ -49,9 +49,9 @@ class PackedLists {
   void prefetch_slice(int list) const { prefetch(slices_[list]); }
 
   void add(int list, const Item& item) {
-    Slice& r = slices_[list];
-    if (r.size == r.capacity) relocate_to_end(r);
-    items_[r.first + r.size++] = item;
+    Slice& slice = slices_[list];
+    if (slice.size == slice.capacity) relocate_to_end(slice);
+    items_[slice.first + slice.size++] = item;
   }
 
   /// Removes an item; the last one replaces it.
@@ -72,14 +72,14 @@ class PackedLists {
   };
 
   /// Doubles the capacity of a full list. The previous memory stays unused until reset().
-  void relocate_to_end(Slice& r) {
+  void relocate_to_end(Slice& slice) {
     const std::size_t to = items_.size();
-    const int capacity = std::max(4, 2 * r.capacity);
+    const int capacity = std::max(4, 2 * slice.capacity);
     items_.resize(to + capacity);
-    std::copy_n(items_.begin() + static_cast<std::ptrdiff_t>(r.first), r.size,
+    std::copy_n(items_.begin() + static_cast<std::ptrdiff_t>(slice.first), slice.size,
                 items_.begin() + static_cast<std::ptrdiff_t>(to));
-    r.first = to;
-    r.capacity = capacity;
+    slice.first = to;
+    slice.capacity = capacity;
   }
 
   std::vector<Slice> slices_;

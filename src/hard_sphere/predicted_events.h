@@ -59,21 +59,20 @@ class alignas(64) PredictedEvents {
   template <class Before>
   void add(const PredictedEvent& event, const Before& before) {
     if (event.time > horizon_) return;
-    int position_in_list = count_;
-    while (position_in_list > 0 && (event.time < events_[position_in_list - 1].time ||
-                                    (event.time == events_[position_in_list - 1].time &&
-                                     before(event, events_[position_in_list - 1]))))
-      position_in_list--;
+    int slot = count_;
+    while (slot > 0 && (event.time < events_[slot - 1].time ||
+                        (event.time == events_[slot - 1].time && before(event, events_[slot - 1]))))
+      slot--;
     if (count_ == capacity) {
       // The earliest event beyond the capacity becomes the horizon.
-      horizon_ = position_in_list == capacity ? event.time : events_[capacity - 1].time;
-      if (position_in_list == capacity) return;
+      horizon_ = slot == capacity ? event.time : events_[capacity - 1].time;
+      if (slot == capacity) return;
       count_--;
     } else if (event.time == horizon_) {
       return;
     }
-    for (int n = count_; n > position_in_list; n--) events_[n] = events_[n - 1];
-    events_[position_in_list] = event;
+    for (int n = count_; n > slot; n--) events_[n] = events_[n - 1];
+    events_[slot] = event;
     count_++;
   }
 
