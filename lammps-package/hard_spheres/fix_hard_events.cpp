@@ -4,26 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <string>
-#include <tuple>
 
 #include "atom.h"
-#include "bound_pairs.h"
 #include "box_shear.h"
 #include "comm.h"
-#include "distinct_places.h"
 #include "domain.h"
 #include "error.h"
-#include "force.h"
 #include "group.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
-#include "pair_hard_square_well.h"
-#include "rerun.h"
-#include "special_pairs.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -32,27 +24,25 @@ using cohesion::vector;
 using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
-static constexpr int ORIGIN = 2;
-// Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
-static constexpr double OVERLAP = 1e-6;
-// Steps after which the clock starts anew where somebody has gone out of the box, so that places
-// keep their digits.
-static constexpr int STEPS_OF_A_CLOCK = 100;
+static constexpr int OWNER_SIZE = 2;
+// Steps between resets of the simulation time if particles have left the box. A reset wraps
+// positions, which lose digits far from the box.
+static constexpr int STEPS_BETWEEN_RESETS = 100;
 
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
       time_warp_(lammps, simulation_),
-      columns_(nullptr),
-      origin_(nullptr),
-      new_clock_(true),
-      place_rounding_(0.0),
-      time_of_clock_(0.0),
-      age_(0),
+      particle_data_(nullptr),
+      owners_(nullptr),
+      reset_in_next_step_(true),
+      position_tolerance_(0.0),
+      time_origin_lifetime_(0.0),
+      steps_since_reset_(0),
       farthest_squared_(0.0),
       needs_ghosts_(false),
       warned_(false) {
-  comm_forward = ORIGIN;
+  comm_forward = OWNER_SIZE;
   create_attribute = 1;
   restart_pbc = 1;
   restart_global = 1;
@@ -65,11 +55,11 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
 
 FixHardEvents::~FixHardEvents() {
   atom->delete_callback(id, Atom::GROW);
-  memory->destroy(columns_);
-  memory->destroy(origin_);
+  memory->destroy(particle_data_);
+  memory->destroy(owners_);
 }
 
-FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
+FixHardEvents* FixHardEvents::find_or_create(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
   if (modify->find_fix(ID) < 0) modify->add_fix(std::string(ID) + " all HARD_EVENTS");
   return static_cast<FixHardEvents*>(modify->fix[modify->find_fix(ID)]);
@@ -79,158 +69,27 @@ int FixHardEvents::setmask() {
   return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE;
 }
 
-void FixHardEvents::init() {
-  pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
-  if (!pair_)
-    error->all(FLERR,
-               "fix wall/hard/square_well, compute hard/events and compute hard/stress go with "
-               "'pair_style hard/square_well'; give it first");
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR,
-               "pair_style hard/square_well acts over the whole step; use 'run_style verlet'");
-  if (force->newton_pair)
-    error->all(FLERR,
-               "pair_style hard/square_well follows every pair on both sides; put 'newton off' "
-               "before the box is made");
-  if (comm->ghost_velocity == 0)
-    error->all(FLERR,
-               "pair_style hard/square_well needs the velocities of ghost particles; add "
-               "'comm_modify vel yes'");
-  if (neighbor->nex_mol > 0)
-    error->all(FLERR,
-               "pair_style hard/square_well does not know 'neigh_modify exclude molecule'; exclude "
-               "types or groups");
-  refuse_rerun(lmp, "pair_style hard/square_well");
-  mobile_.look_up(lmp);
-  require_whole_holds(lmp, "pair_style hard/square_well", true);
-  walls_.clear();
-  needs_ghosts_ = comm->nprocs > 1 || utils::strmatch(force->pair_style, "^hybrid");
-  for (int i = 0; i < modify->nfix; i++) {
-    Fix* const fix = modify->fix[i];
-    if (fix->rigid_flag)
-      error->all(FLERR,
-                 std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
-                     fix->id + ")");
-    if (auto* walls = dynamic_cast<HardWalls*>(fix)) walls_.push_back(walls);
-    if (dynamic_cast<BoundPairsReader*>(fix)) needs_ghosts_ = true;
-  }
-  if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
-  simulation_.rules = pair_->rules();
-  simulation_.alone = comm->nprocs == 1;
-  bring_home();
-}
-
-/// Notes the kicks of this step, whose forces the engine clears before pre_force.
+/// Stores the velocity changes of this step, since the engine clears forces before pre_force.
 void FixHardEvents::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++)
-    columns_[i][KICK] = kick_of(vector(atom->f[i]),
-                                mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
+    particle_data_[i][SPEED_INCREMENT] = speed_increment(
+        vector(atom->f[i]), mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
 }
 
-/// The run starts here: nothing has moved.
-void FixHardEvents::setup_pre_force(int) {
-  round_positions();
-  set_rules();
-  auto known = all_inside_at_edge();
-  follow_renumbering(known);
-  inside_.insert(inside_.end(), known.begin(), known.end());
-  std::sort(inside_.begin(), inside_.end());
-  start_clock(0.0);
-  load_all(0.0);
-  require_distinct_places();
-  set_up_events();
-  warn_of_overlaps();
-  next_reneighbor = update->ntimestep + 1;
-  new_clock_ = true;
-}
-
-/// Stops at two bodies in one place, ghosts included.
-void FixHardEvents::require_distinct_places() const {
-  std::vector<int> order(atom->nlocal + atom->nghost);
-  std::iota(order.begin(), order.end(), 0);
-  const auto place = [this](int i) {
-    const double* const x = atom->x[i];
-    return std::make_tuple(x[0], x[1], x[2]);
-  };
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return place(i) < place(j); });
-  for (std::size_t n = 1; n < order.size(); n++) {
-    const int i = order[n - 1], j = order[n];
-    if (place(i) == place(j) && simulation_.pairs.meet(matter_of(i), matter_of(j)))
-      refuse_one_place(lmp, "pair_style hard/square_well", i, j);
-  }
-}
-
-/// What happens between which types, as the script has it.
-void FixHardEvents::set_rules() {
-  const int kinds = atom->ntypes + 1;
-  simulation_.pairs = PairRules(kinds);
-  for (int i = 0; i < kinds; i++)
-    for (int j = i; j < kinds; j++) {
-      if (i > 0 && pair_->acts_between(i, j))
-        simulation_.pairs.set(i, j, pair_->contact_of_types(i, j));
-      else
-        simulation_.pairs.forbid(i, j);
-    }
-  for (int n = 0; n < neighbor->nex_type; n++)
-    simulation_.pairs.forbid(neighbor->ex1_type[n], neighbor->ex2_type[n]);
-  for (int n = 0; n < neighbor->nex_group; n++)
-    simulation_.pairs.forbid_groups(neighbor->ex1_bit[n], neighbor->ex2_bit[n]);
-  if (atom->nspecial) simulation_.pairs.forbid_pairs(bonded_apart());
-}
-
-/// Collective: the pairs between which bonds stand and of which special_bonds says that they do not
-/// act on each other, in order.
-FixHardEvents::PairsByTag FixHardEvents::bonded_apart() const {
-  const double* const factors = special_factors(lmp, pair_);
-  PairsByTag mine;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int bonds = 1, n = 0; bonds <= 3; bonds++)
-      for (; n < atom->nspecial[i][bonds - 1]; n++)
-        if (factors[bonds] == 0.0 && atom->tag[i] < atom->special[i][n])
-          mine.push_back({atom->tag[i], atom->special[i][n]});
-  std::sort(mine.begin(), mine.end());
-  return gathered(mine);
-}
-
-/// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for
-/// their energy.
-void FixHardEvents::warn_of_overlaps() const {
-  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
-  simulation_.for_each_pair([&](int i, const Neighbour& n) {
-    if (n.is_wall()) return;  // their fixes warn of these
-    if (simulation_.bodies[n.body].tag < simulation_.bodies[i].tag &&
-        simulation_.bodies[n.body].remote)
-      return;
-    const double overlap =
-        1.0 - simulation_.distance(i, n, simulation_.end()) / simulation_.surfaces(i, n.body).core;
-    if (overlap < OVERLAP) return;
-    mine[0] += 1.0;
-    mine[1] = std::max(mine[1], overlap);
-  });
-  MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
-  if (all[0] > 0.0 && comm->me == 0)
-    error->warning(FLERR,
-                   "pair_style hard/square_well: {} pairs of hard cores overlap, "
-                   "up to {} of the distance; they collide at once where they approach. Start from "
-                   "particles that do not overlap",
-                   static_cast<bigint>(all[0]), all[1]);
-}
-
-/// Does in the step of a restart file what a run does that continues from it: that begins with
-/// particles in the box and makes its list anew in its first step. So both wrap particles into the
-/// box at the same times and round alike.
-void FixHardEvents::match_restart() {
+/// Makes the step of a restart file equal to the first step of a run that continues from it. Such a
+/// run starts with wrapped particles and builds its list in its first step. So both runs wrap
+/// particles at the same steps and round alike.
+void FixHardEvents::prepare_restart_step() {
   if (update->ntimestep != output->next_restart) return;
   wrap_into_box(atom, domain);
   round_positions();
   next_reneighbor = update->ntimestep + 1;
-  new_clock_ = true;
+  reset_in_next_step_ = true;
 }
 
-/// Rounds positions in a tilted box. A run begins there with positions that the engine has
-/// transformed to the box's own coordinates and back, once more than where the file was written:
-/// some roundings, each a few 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
+/// Rounds positions in a tilted box. A run that starts from a restart file has transformed
+/// positions to box coordinates and back once more than the run that wrote it. Each transformation
+/// has an error of a few 2^-53 of the box; rounding to 2^-44 of the box removes the difference.
 void FixHardEvents::round_positions() {
   if (!domain->triclinic) return;
   const double unit = std::ldexp(1.0, std::ilogb(std::max(domain->prd[0], domain->prd[1])) - 44);
@@ -244,9 +103,9 @@ static bool has_dynamic_groups(const Group* group) {
 }
 
 /// The bits of the groups that decide which particles have events with each other or with walls.
-static int groups_of_events(const std::vector<HardWall>& walls, const Neighbor* neighbor) {
+static int event_group_bits(const std::vector<HardWall>& walls, const Neighbor* neighbor) {
   int bits = 0;
-  for (const HardWall& wall : walls) bits |= wall.groups;
+  for (const HardWall& wall : walls) bits |= wall.group_bits;
   for (int n = 0; n < neighbor->nex_group; n++) bits |= neighbor->ex1_bit[n] | neighbor->ex2_bit[n];
   return bits;
 }
@@ -255,77 +114,77 @@ void FixHardEvents::pre_force(int) {
   const double dt = update->dt;
   const bool new_list = neighbor->ago == 0;
   farthest_squared_ = 0.0;
-  changed_.clear();
-  if (new_list) put_back_outside();
-  const bool new_clock = new_clock_ || box_is_another(dt) || clock_is_due();
-  const bool set_back = !new_clock && simulation_.end() > time_of_clock_;
-  if (new_clock) {
-    inside_ = all_inside_at_edge();
-    start_clock(dt);
+  changed_bodies_.clear();
+  if (new_list) restore_clamped_positions();
+  const bool reset = reset_in_next_step_ || box_has_changed(dt) || time_reset_is_due();
+  const bool shift_origin = !reset && simulation_.end() > time_origin_lifetime_;
+  if (reset) {
+    bound_at_edge_ = gather_bound_pairs_at_edge();
+    reset_simulation_time(dt);
     load_all(dt);
     set_up_events();
-    stored_.clear();
+    stored_versions_.clear();
     simulation_.begin_step(dt);
   } else {
-    if (new_list && (comm->nprocs > 1 || !has_the_same_bodies())) {
-      if (!keep_bodies(dt)) {
+    if (new_list && (comm->nprocs > 1 || !has_same_bodies())) {
+      if (!update_bodies(dt)) {
         set_up_events();
-        stored_.clear();
+        stored_versions_.clear();
       }
     }
-    if (set_back) simulation_.set_clock_back();
+    if (shift_origin) simulation_.shift_time_origin();
     simulation_.begin_step(dt);
     load_changes(dt);
   }
-  if (new_clock || set_back) set_time_of_clock();
-  new_clock_ = false;
+  if (reset || shift_origin) set_time_origin_lifetime();
+  reset_in_next_step_ = false;
   if (new_list) {
-    note_tags();
+    store_tags();
     displacements_.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
     for (int i = 0; i < atom->nlocal; i++)
       track_displacement(i, vector(atom->x[i]) - dt * vector(atom->v[i]), dt);
   }
-  predict_changes();
+  predict_changed_bodies();
   run_events();
   store_events();
   store_flights();
-  if (needs_ghosts_) check_list();
-  // A dynamic group can release a particle, or hold it, between two lists.
+  if (needs_ghosts_) check_neighbour_list();
+  // A dynamic group can change the mobility of a particle between two lists.
   if (has_dynamic_groups(group)) {
-    const int groups = groups_of_events(simulation_.walls, neighbor);
+    const int groups = event_group_bits(simulation_.walls, neighbor);
     int mine = 0, all = 0;
     for (int i = 0; i < atom->nlocal && !mine; i++) {
-      const Body& before = simulation_.bodies[i];
-      Body now = matter_of(i);
-      if (((now.groups ^ before.groups) & groups) == 0) now.groups = before.groups;
-      mine = !same_matter(now, before);
+      const HardSphere& before = simulation_.bodies[i];
+      HardSphere now = body_properties(i);
+      if (((now.group_bits ^ before.group_bits) & groups) == 0) now.group_bits = before.group_bits;
+      mine = !same_properties(now, before);
     }
     MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
     if (all) next_reneighbor = update->ntimestep + 1;
   }
-  match_restart();
+  prepare_restart_step();
 }
 
-/// Collective: whether the clock has gone for long, and a particle has gone out of the box since it
-/// was started.
-bool FixHardEvents::clock_is_due() {
-  if (++age_ <= STEPS_OF_A_CLOCK) return false;
-  age_ = 0;
+/// Collective: whether enough steps have passed since the last reset of the simulation time, and a
+/// particle has left the box since.
+bool FixHardEvents::time_reset_is_due() {
+  if (++steps_since_reset_ <= STEPS_BETWEEN_RESETS) return false;
+  steps_since_reset_ = 0;
   int mine = 0, all = 0;
-  for (int i = 0; i < atom->nlocal && !mine; i++) mine = !same(boxes_gone(i), {});
+  for (int i = 0; i < atom->nlocal && !mine; i++) mine = !same(boxes_crossed(i), {});
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
   return all;
 }
 
-/// Predicts the events of those whose flights others have changed, on all processes.
-void FixHardEvents::predict_changes() {
-  int mine[2] = {!changed_.empty(), !warned_ && totals_.elastic > 0.0}, all[2];
+/// Collective: predicts the events of bodies whose flights the engine has changed on any process.
+void FixHardEvents::predict_changed_bodies() {
+  int mine[2] = {!changed_bodies_.empty(), !warned_ && totals_.elastic > 0.0}, all[2];
   if (comm->nprocs == 1)
     std::copy_n(mine, 2, all);
   else
     MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
-  if (all[0] && comm->nprocs > 1) time_warp_.share_changes(changed_);
-  for (const auto& changed : changed_) simulation_.predict(changed.body);
+  if (all[0] && comm->nprocs > 1) time_warp_.exchange_changes(changed_bodies_);
+  for (const auto& changed : changed_bodies_) simulation_.predict(changed.body);
   simulation_.predict_at_moving_walls();
   if (!all[1]) return;
   warned_ = true;
@@ -347,56 +206,56 @@ void FixHardEvents::run_events() {
 
 void FixHardEvents::stop_at_limit() const {
   const auto [i, j] = simulation_.overrun();
-  const Body& a = simulation_.bodies[i];
+  const HardSphere& a = simulation_.bodies[i];
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword rest or contact_time, or a larger limit",
-             simulation_.rules.limit, update->ntimestep, a.tag,
-             j < 0 ? static_cast<std::int64_t>(j) : simulation_.bodies[j].tag, a.course.events,
-             j < 0 ? 0 : simulation_.bodies[j].course.events);
+             simulation_.rules.event_limit, update->ntimestep, a.tag,
+             j < 0 ? static_cast<std::int64_t>(j) : simulation_.bodies[j].tag, a.event_state.events,
+             j < 0 ? 0 : simulation_.bodies[j].event_state.events);
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixHardEvents::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  for (int i = 0; i < n; i++) std::copy_n(origin_[list[i]], ORIGIN, buf + ORIGIN * i);
-  return ORIGIN * n;
+  for (int i = 0; i < n; i++) std::copy_n(owners_[list[i]], OWNER_SIZE, buf + OWNER_SIZE * i);
+  return OWNER_SIZE * n;
 }
 
 void FixHardEvents::unpack_forward_comm(int n, int first, double* buf) {
-  std::copy_n(buf, ORIGIN * n, origin_[first]);
+  std::copy_n(buf, OWNER_SIZE * n, owners_[first]);
 }
 
 void FixHardEvents::grow_arrays(int nmax) {
-  memory->grow(origin_, nmax, ORIGIN, "hard_events:origin");
-  memory->grow(columns_, nmax, COLUMNS, "hard_events:columns");
+  memory->grow(owners_, nmax, OWNER_SIZE, "hard_events:origin");
+  memory->grow(particle_data_, nmax, DATA_COLUMNS, "hard_events:columns");
 }
 
 void FixHardEvents::copy_arrays(int i, int j, int) {
-  std::copy_n(columns_[i], COLUMNS, columns_[j]);
+  std::copy_n(particle_data_[i], DATA_COLUMNS, particle_data_[j]);
 }
 
-/// A particle whose flight is not known yet.
+/// A NaN marks a particle without a stored flight.
 void FixHardEvents::set_arrays(int i) {
-  std::fill_n(columns_[i], COLUMNS, 0.0);
-  columns_[i][SINCE] = std::nan("");
+  std::fill_n(particle_data_[i], DATA_COLUMNS, 0.0);
+  particle_data_[i][START_TIME] = std::nan("");
 }
 
 int FixHardEvents::pack_exchange(int i, double* buf) {
-  std::copy_n(columns_[i], COLUMNS, buf);
-  return COLUMNS;
+  std::copy_n(particle_data_[i], DATA_COLUMNS, buf);
+  return DATA_COLUMNS;
 }
 
 int FixHardEvents::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, COLUMNS, columns_[i]);
-  return COLUMNS;
+  std::copy_n(buf, DATA_COLUMNS, particle_data_[i]);
+  return DATA_COLUMNS;
 }
 
-/// The pairs at the edges of their wells, by tags: of these the places do not tell whether they are
-/// inside.
+/// Writes the tags of bound pairs at the edges of their wells, since their distances do not show
+/// whether they are bound.
 void FixHardEvents::write_restart(FILE* fp) {
-  const auto pairs = all_inside_at_edge();
+  const auto pairs = gather_bound_pairs_at_edge();
   if (comm->me != 0) return;
   const auto number = static_cast<std::int64_t>(pairs.size());
   const int bytes = static_cast<int>(sizeof(number) + pairs.size() * sizeof(pairs[0]));
@@ -408,11 +267,11 @@ void FixHardEvents::write_restart(FILE* fp) {
 void FixHardEvents::restart(char* buf) {
   std::int64_t number = 0;
   memcpy(&number, buf, sizeof(number));
-  inside_.resize(number);
-  memcpy(inside_.data(), buf + sizeof(number), number * sizeof(inside_[0]));
+  bound_at_edge_.resize(number);
+  memcpy(bound_at_edge_.data(), buf + sizeof(number), number * sizeof(bound_at_edge_[0]));
 }
 
 double FixHardEvents::memory_usage() {
-  return static_cast<double>((ORIGIN + COLUMNS) * sizeof(double)) * atom->nmax +
+  return static_cast<double>((OWNER_SIZE + DATA_COLUMNS) * sizeof(double)) * atom->nmax +
          simulation_.bytes();
 }

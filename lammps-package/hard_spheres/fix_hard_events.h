@@ -25,37 +25,37 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 
 namespace LAMMPS_NS {
 
-/// A fix whose walls take part in the event-driven simulation.
-class HardWalls {
+/// Interface of a fix whose walls the event-driven simulation includes.
+class HardWallSource {
  public:
   virtual int number_of_walls() const = 0;
-  /// Wall w and its motion over the step that ends now, at the time `when` of the simulation.
+  /// Wall w with its motion during the current step, which ends at the time `when` of the
+  /// simulation.
   virtual cohesion::hard_sphere::HardWall wall(int w, double when) const = 0;
 
  protected:
-  ~HardWalls() = default;
+  ~HardWallSource() = default;
 };
 
-/// The fix that executes the events of a step, for pair_style hard/square_well and its walls; the
-/// first of them makes it.
+/// Internal fix that executes the events of a step for pair_style hard/square_well and its walls.
+/// The first of these styles creates it.
 ///
-/// In pre_force the engine has moved every particle straight to the end of the step. Flights of the
-/// simulation (src/hard_sphere/event_simulation.h) last over many steps: a particle where its
-/// flight has led it in the engine, too, goes on with it; one that the engine has given another
-/// velocity or place gets a new one. Then the events are executed, and places and velocities
-/// written to the engine's arrays.
+/// Before pre_force the engine has moved every particle in a straight line to the end of the step.
+/// Flights of the simulation (src/hard_sphere/event_simulation.h) last for many steps. A particle
+/// at the end of its flight, with the velocity of the flight, continues it. A particle with another
+/// velocity or position starts a new flight. Then the simulation executes the events, and the fix
+/// writes positions and velocities to the arrays of the engine.
 ///
-/// The simulation does not wrap particles that leave a periodic box: its places are those of the
-/// engine and as many boxes as the particle has gone since the simulation's clock was started.
-/// Particles of other processes take part by their owners' flights, never by what a ghost has, so
-/// that every process works out the same numbers.
+/// The simulation does not wrap particles that leave a periodic box: its positions are unwrapped
+/// relative to the image flags at the last reset of the simulation time. Remote bodies have the
+/// flights of their owners, never data of ghosts, so that all processes compute the same bits.
 class FixHardEvents : public Fix {
  public:
   FixHardEvents(class LAMMPS*, int, char**);
   ~FixHardEvents() override;
 
-  /// Returns the fix of this run, which it makes when there is none.
-  static FixHardEvents* of(class LAMMPS*);
+  /// Returns the fix of this run, and creates it if there is none.
+  static FixHardEvents* find_or_create(class LAMMPS*);
 
   int setmask() override;
   void init() override;
@@ -76,10 +76,10 @@ class FixHardEvents : public Fix {
 
   const cohesion::hard_sphere::EventSimulation& simulation() const { return simulation_; }
   const HardEventTotals& totals() const { return totals_; }
-  /// Asks for totals().flux to be summed from here on.
-  void sum_flux() { totals_.flux_wanted = true; }
-  /// Collective: the pairs that are in their wells, an own particle and an own one or a
-  /// ghost, and their places and velocities seen from the first.
+  /// Enables the sum totals().flux from here on.
+  void enable_flux() { totals_.flux_enabled = true; }
+  /// Collective: the pairs in their wells, of an own particle and an own one or a ghost; position
+  /// and velocity are relative to the first.
   struct PairInWell {
     int i, j;
     cohesion::Vector3 separation, relative_velocity;
@@ -87,104 +87,112 @@ class FixHardEvents : public Fix {
   std::vector<PairInWell> pairs_in_wells();
 
  private:
-  /// What the engine keeps per particle, from step to step and on its way between processes: the
-  /// flight (EventSimulation::flights), the engine's image flags when the clock was started, how
-  /// far the free flight led out of the box, Body::kick, and the ID.
-  enum Column {
-    PLACE = 0,
+  /// Data per particle, stored between steps and sent when particles migrate: the flight
+  /// (EventSimulation::flights), the image flags at the last reset of the simulation time, the
+  /// distance that clamp_to_boundary() has moved the particle, HardSphere::speed_increment, and the
+  /// ID.
+  enum DataColumn {
+    POSITION = 0,
     VELOCITY = 3,
-    SINCE = 6,
-    DEPTH = 7,
+    START_TIME = 6,
+    CAUSAL_DEPTH = 7,
     IMAGE = 8,
-    OUTSIDE = 9,
-    KICK = 12,
+    CLAMPED = 9,
+    SPEED_INCREMENT = 12,
     TAG = 13
   };
-  static constexpr int COLUMNS = 14;
+  static constexpr int DATA_COLUMNS = 14;
 
-  void require_flights_within_box() const;
-  void hold_at_boundary();
-  void bring_home();
-  void set_rules();
-  void require_distinct_places() const;
-  void warn_of_overlaps() const;
-  void predict_changes();
-  void match_restart();
-  bool clock_is_due();
+  void predict_changed_bodies();
+  void prepare_restart_step();
+  bool time_reset_is_due();
   void round_positions();
   void stop_at_limit() const;
   void run_events();
 
+  using PairsByTag = std::vector<cohesion::hard_sphere::TagPair>;
+
+  // In fix_hard_events_setup.cpp
+  void set_rules();
+  PairsByTag excluded_bonded_pairs() const;
+  void require_distinct_positions() const;
+  void warn_of_overlaps() const;
+
   // In fix_hard_events_results.cpp
   void store_events();
   void store_flights();
-  void foresee_displacements(const cohesion::hard_sphere::Event&) const;
-  void check_list();
+  void prefetch_displacements(const cohesion::hard_sphere::Event&) const;
+  void check_neighbour_list();
   void track_displacement(int i, const cohesion::Vector3& position, double left);
 
   // In fix_hard_events_flights.cpp
-  struct Observed {
-    cohesion::Vector3 place, velocity;
-    double velocity_rounding;  // of a velocity that has been through the boundary of a sheared box
+  struct EngineMotion {
+    cohesion::Vector3 position, velocity;
+    double velocity_tolerance;  // round-off of velocities that have been remapped at the boundary
+                                // of a sheared box
   };
-  void put_back_outside();
-  cohesion::Vector3 boxes_gone(int i) const;
-  void note_image(int i);
-  bool box_is_another(double dt) const;
-  void start_clock(double dt);
-  void set_time_of_clock();
-  Observed observed(int i, double end) const;
-  bool goes_on(int i, const Observed&, double end) const;
+  void require_flights_within_box() const;
+  void clamp_to_boundary();
+  void wrap_far_particles();
+  void restore_clamped_positions();
+  cohesion::Vector3 boxes_crossed(int i) const;
+  void store_image_flags(int i);
+  bool box_has_changed(double dt) const;
+  void reset_simulation_time(double dt);
+  void set_time_origin_lifetime();
+  EngineMotion engine_motion(int i, double end) const;
+  bool continues_flight(int i, const EngineMotion&, double end) const;
   void load_body(int i, double dt);
   void load_changes(double dt);
   void load_walls(double when);
 
   // In fix_hard_events_bodies.cpp
-  using RemoteParticles = std::vector<std::pair<int, BorderExchange::Request> >;  // by a ghost
+  using RemoteParticles =
+      std::vector<std::pair<int, BorderExchange::ParticleRequest> >;  // with the index of one of
+                                                                      // its ghosts
   using NumbersByTag = std::unordered_map<std::int64_t, int>;
-  using PairsByTag = std::vector<cohesion::hard_sphere::EventSimulation::Tags>;
-  cohesion::hard_sphere::Body matter_of(int i) const;
-  bool has_the_same_bodies() const;
-  PairsByTag bonded_apart() const;
+  cohesion::hard_sphere::HardSphere body_properties(int i) const;
+  bool has_same_bodies() const;
   void load_all(double dt);
   void load_bodies(const RemoteParticles&, double dt);
-  bool keep_bodies(double dt);
+  bool update_bodies(double dt);
   NumbersByTag displaced_bodies() const;
-  int number_of(const cohesion::hard_sphere::Body&, int number, const NumbersByTag&) const;
-  void keep_numbers(RemoteParticles&, const NumbersByTag& displaced) const;
-  RemoteParticles remote_particles();
-  void plan_exchange(const RemoteParticles&);
-  void note_origins();
+  int find_body(const cohesion::hard_sphere::HardSphere&, int number, const NumbersByTag&) const;
+  void preserve_numbers(RemoteParticles&, const NumbersByTag& displaced) const;
+  RemoteParticles find_remote_particles();
+  void request_remote_particles(const RemoteParticles&);
+  void send_owners();
   void set_up_events();
-  PairsByTag all_inside_at_edge() const;
-  void note_inside_at_edge(const NumbersByTag& displaced, const std::vector<int>& old);
-  void note_own_inside_at_edge();
-  void note_tags();
-  void follow_renumbering(PairsByTag&);
-  PairsByTag gathered(const PairsByTag& mine) const;
+  PairsByTag gather_bound_pairs_at_edge() const;
+  void update_bound_at_edge(const NumbersByTag& displaced, const std::vector<int>& old);
+  void add_own_bound_at_edge();
+  void store_tags();
+  void apply_new_tags(PairsByTag&);
+  PairsByTag gather_pairs(const PairsByTag& mine) const;
 
   class PairHardSquareWell* pair_;
-  std::vector<HardWalls*> walls_;
+  std::vector<HardWallSource*> walls_;
   MobileParticles mobile_;
 
-  // Bodies: own particles, then those of other processes.
+  // Bodies: the own particles, then the remote ones.
   cohesion::hard_sphere::TimeWarp simulation_;
   HardEventTimeWarp time_warp_;
-  double** columns_;                   // per particle, see Column
-  double** origin_;                    // per particle and ghost: process, index there
-  std::vector<std::uint32_t> stored_;  // versions of the flights that are in columns_
-  std::vector<char> gone_;             // whether boxes_gone() of own particles after the step
-  // Bodies that others have changed in this step
-  std::vector<HardEventTimeWarp::ChangedBody> changed_;
-  PairsByTag inside_;      // as set_up() takes them
-  bool new_clock_;         // in the next step
-  double place_rounding_;  // by which places may differ that are the same, [length]
-  double time_of_clock_;   // until it is set back, [time]
-  int age_;                // steps since the clock was started
-  // Of own particles since the list was made.
+  double** particle_data_;                      // per particle, see DataColumn
+  double** owners_;                             // per particle and ghost: process, and index on it
+  std::vector<std::uint32_t> stored_versions_;  // versions of the flights in particle_data_
+  std::vector<char>
+      crossed_boundary_;  // whether own particles have a boxes_crossed() that is not zero
+  // Bodies whose flights, spins or speed increments the engine has changed in this step
+  std::vector<HardEventTimeWarp::ChangedBody> changed_bodies_;
+  PairsByTag bound_at_edge_;     // argument of set_up()
+  bool reset_in_next_step_;      // whether to reset the simulation time
+  double position_tolerance_;    // round-off of positions, [length]
+  double time_origin_lifetime_;  // until the next shift of the time origin, [time]
+  int steps_since_reset_;        // steps since the last reset of the simulation time
+  // Of own particles since the last neighbour list
   cohesion::shear::NonaffineDisplacements displacements_;
-  double farthest_squared_;  // the largest of displacements_, squared
-  bool needs_ghosts_;        // partners must be among the ghosts of the last list
+  double farthest_squared_;  // square of the largest of displacements_
+  bool needs_ghosts_;        // whether partners have to be among the ghosts of the last list
   bool warned_;
   HardEventTotals totals_;
   std::unique_ptr<HardEventRecord> record_;

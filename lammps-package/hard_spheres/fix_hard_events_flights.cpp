@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixHardEvents that brings flights, bodies and walls from the engine to the
+// The part of FixHardEvents that transfers flights, bodies and walls from the engine to the
 // simulation.
 #include <algorithm>
 #include <cmath>
@@ -19,17 +19,17 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// By how much numbers of a flight may differ from the engine's that has gone the same way, in units
-// in the last place of a box length: some roundings on each side.
-static constexpr double ROUNDINGS = 64.0 * std::numeric_limits<double>::epsilon();
-// A particle that is farther than this from where it was, in radii, has been put there.
-static constexpr double MOVED = 0.1;
+// Difference between the flight of the simulation and the straight motion of the engine, as a
+// fraction of the box length: some roundings on each side.
+static constexpr double ROUND_OFF = 64.0 * std::numeric_limits<double>::epsilon();
+// Displacement from the flight, in radii, above which the engine has relocated a particle.
+static constexpr double RELOCATION_DISTANCE = 0.1;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
-// How far outside the box the engine's own wrapping, which is by one box, is left to work, in
-// boxes: not to the end, where it rounds.
+// Distance outside the box, in boxes, up to which the wrapping of the engine is sufficient.
+// It shifts by one box at most; half a box leaves a margin for round-off.
 static constexpr double WRAPPED_BY_ENGINE = 0.5;
 
-/// The bits of image flags of an axis.
+/// The image flag of an axis, as stored bits.
 static imageint flag(imageint image, int axis) {
   return (image >> (axis == 0 ? 0 : axis == 1 ? IMGBITS : IMG2BITS)) & IMGMASK;
 }
@@ -42,11 +42,11 @@ static PeriodicBox::Edges rates(const Domain* domain) {
 
 void FixHardEvents::pre_exchange() {
   require_flights_within_box();
-  hold_at_boundary();
-  bring_home();
+  clamp_to_boundary();
+  wrap_far_particles();
 }
 
-/// Stops where a particle flies a box length in a step.
+/// Stops if the flight of a particle in one step is longer than the box.
 void FixHardEvents::require_flights_within_box() const {
   for (int axis = 0; axis < 3; axis++)
     for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
@@ -58,84 +58,86 @@ void FixHardEvents::require_flights_within_box() const {
                    domain -> prd[axis]);
 }
 
-/// By how much the boundaries of an axis are farther along it at this place than in the box's
-/// corner: they lean towards the axes above where the box is tilted.
-static double lean(const Domain* domain, int axis, const Vector3& x) {
+/// Shift of the boundaries of an axis at a position relative to the corner of the box, since the
+/// boundaries of a tilted box depend on the other axes.
+static double boundary_shift(const Domain* domain, int axis, const Vector3& x) {
   if (!domain->triclinic || axis == 2) return 0.0;
-  const double up = (x.z - domain->boxlo[2]) / domain->prd[2];
-  if (axis == 1) return up * domain->yz;
-  const double back = (x.y - domain->boxlo[1] - up * domain->yz) / domain->prd[1];
-  return back * domain->xy + up * domain->xz;
+  const double fraction_z = (x.z - domain->boxlo[2]) / domain->prd[2];
+  if (axis == 1) return fraction_z * domain->yz;
+  const double fraction_y = (x.y - domain->boxlo[1] - fraction_z * domain->yz) / domain->prd[1];
+  return fraction_y * domain->xy + fraction_z * domain->xz;
 }
 
-/// How near to a boundary the engine may round a place in a tilted box to the other side, on its
-/// way to the box's own coordinates and back.
-static double width_of_boundary(const Domain* domain, int axis) {
+/// Distance from a boundary within which the engine may round a position to the other side, by its
+/// transformation to the coordinates of a tilted box and back.
+static double boundary_width(const Domain* domain, int axis) {
   if (!domain->triclinic) return 0.0;
   const double tilts = std::abs(domain->xy) + std::abs(domain->xz) + std::abs(domain->yz);
-  return ROUNDINGS * (domain->prd[axis] + tilts + std::abs(domain->boxlo[axis]));
+  return ROUND_OFF * (domain->prd[axis] + tilts + std::abs(domain->boxlo[axis]));
 }
 
-/// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
-/// their event turns them round: they would be lost before. One that was outside before the step is
-/// lost as in any run.
-void FixHardEvents::hold_at_boundary() {
-  // Each axis after those towards which its boundaries lean.
+/// Clamps particles to the boundary whose free flight leads through a wall out of the box, since
+/// the engine would delete them before their event reverses them. A particle that was outside
+/// before the step is deleted as in any run.
+void FixHardEvents::clamp_to_boundary() {
+  // An axis comes after the axes on which its boundaries depend.
   for (int axis = 2; axis >= 0; axis--) {
     const double low = domain->boxlo[axis], high = domain->boxhi[axis];
-    const double width = width_of_boundary(domain, axis);
+    const double width = boundary_width(domain, axis);
     for (int side = 0; side < 2; side++) {
       if (domain->boundary[axis][side] != FIXED_BOUNDARY) continue;
       const double last = side == 0 ? low + width : std::nextafter(high, low) - width;
       for (int i = 0; i < atom->nlocal; i++) {
         double& x = atom->x[i][axis];
-        const Vector3 place = vector(atom->x[i]), start = place - update->dt * vector(atom->v[i]);
-        const double leant = lean(domain, axis, place), now = x - leant;
-        const double before = x - update->dt * atom->v[i][axis] - lean(domain, axis, start);
+        const Vector3 position = vector(atom->x[i]),
+                      start = position - update->dt * vector(atom->v[i]);
+        const double shift = boundary_shift(domain, axis, position), now = x - shift;
+        const double before =
+            x - update->dt * atom->v[i][axis] - boundary_shift(domain, axis, start);
         if ((side == 0 ? now >= last : now <= last) || before < low || before >= high) continue;
-        columns_[i][OUTSIDE + axis] = now - last;
-        x = last + leant;
+        particle_data_[i][CLAMPED + axis] = now - last;
+        x = last + shift;
       }
     }
   }
 }
 
-/// Wraps particles that are far outside the box: the engine wraps by one box, and an event at the
-/// end of a flight may lead back over more than that from where it had wrapped the free flight's
-/// end.
-void FixHardEvents::bring_home() { wrap_into_box(atom, domain, WRAPPED_BY_ENGINE); }
+/// Wraps particles that are far outside the box. The engine shifts by one box at most, but an event
+/// near the end of a flight can lead back by more than one box from the wrapped position.
+void FixHardEvents::wrap_far_particles() { wrap_into_box(atom, domain, WRAPPED_BY_ENGINE); }
 
-/// Puts particles back to where hold_at_boundary() took them from.
-void FixHardEvents::put_back_outside() {
+/// Restores the positions that clamp_to_boundary() has changed.
+void FixHardEvents::restore_clamped_positions() {
   for (int i = 0; i < atom->nlocal; i++)
     for (int axis = 0; axis < 3; axis++) {
-      atom->x[i][axis] += columns_[i][OUTSIDE + axis];
-      columns_[i][OUTSIDE + axis] = 0.0;
+      atom->x[i][axis] += particle_data_[i][CLAMPED + axis];
+      particle_data_[i][CLAMPED + axis] = 0.0;
     }
 }
 
-/// By how many boxes a particle has gone out of the box since the clock was started. Flags begin
-/// anew when they run out of bits.
-Vector3 FixHardEvents::boxes_gone(int i) const {
-  const auto before = static_cast<imageint>(ubuf(columns_[i][IMAGE]).i);
+/// Number of boxes along each axis by which a particle has left the box since the last reset of the
+/// simulation time. The difference is taken modulo the range of image flags, which overflow.
+Vector3 FixHardEvents::boxes_crossed(int i) const {
+  const auto before = static_cast<imageint>(ubuf(particle_data_[i][IMAGE]).i);
   const imageint now = atom->image[i];
   if (now == before) return {};
-  const auto gone = [&](int axis) {
+  const auto crossed = [&](int axis) {
     const imageint difference = flag(now, axis) - flag(before, axis);
     return static_cast<double>(((difference + IMGMAX) & IMGMASK) - IMGMAX);
   };
-  return {gone(0), gone(1), gone(2)};
+  return {crossed(0), crossed(1), crossed(2)};
 }
 
-void FixHardEvents::note_image(int i) { columns_[i][IMAGE] = ubuf(atom->image[i]).d; }
+void FixHardEvents::store_image_flags(int i) { particle_data_[i][IMAGE] = ubuf(atom->image[i]).d; }
 
-/// Whether the box at the end of this step is not what the simulation takes it for.
-bool FixHardEvents::box_is_another(double dt) const {
+/// Whether the box at the end of this step differs from that of the simulation.
+bool FixHardEvents::box_has_changed(double dt) const {
   const PeriodicBox& box = simulation_.box();
   const double end = simulation_.end() + dt;
-  const PeriodicBox::Edges expected = box.at(end), now = edges(domain->h), rate = rates(domain);
+  const PeriodicBox::Edges expected = box.edges_at(end), now = edges(domain->h),
+                           rate = rates(domain);
   const auto differ = [&](double PeriodicBox::Edges::* k) {
-    return std::abs(expected.*k - now.*k) > ROUNDINGS * (now.xx + now.yy + now.zz) ||
+    return std::abs(expected.*k - now.*k) > ROUND_OFF * (now.xx + now.yy + now.zz) ||
            box.rates.*k != rate.*k;
   };
   return (box.periodic[0] && differ(&PeriodicBox::Edges::xx)) ||
@@ -145,114 +147,117 @@ bool FixHardEvents::box_is_another(double dt) const {
                               differ(&PeriodicBox::Edges::yz)));
 }
 
-/// Starts the simulation's clock at the beginning of this step, with the box of then.
-void FixHardEvents::start_clock(double dt) {
+/// Sets the simulation time to 0 at the beginning of this step, with the box of that time.
+void FixHardEvents::reset_simulation_time(double dt) {
   PeriodicBox box;
   box.origin = vector(domain->boxlo);
   box.rates = rates(domain);
   box.edges = edges(domain->h);
-  box.edges = box.at(-dt);
+  box.edges = box.edges_at(-dt);
   for (int k = 0; k < 3; k++) box.periodic[k] = domain->periodicity[k] && k < domain->dimension;
-  simulation_.start_clock(box);
-  place_rounding_ = ROUNDINGS * (box.edges.xx + box.edges.yy + box.edges.zz + norm(box.origin));
-  age_ = 0;
+  simulation_.reset_time(box);
+  position_tolerance_ = ROUND_OFF * (box.edges.xx + box.edges.yy + box.edges.zz + norm(box.origin));
+  steps_since_reset_ = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    columns_[i][SINCE] = std::nan("");
-    note_image(i);
+    particle_data_[i][START_TIME] = std::nan("");
+    store_image_flags(i);
   }
 }
 
-/// Where a particle is at the end of the step, in the simulation's box, and its velocity.
-FixHardEvents::Observed FixHardEvents::observed(int i, double end) const {
-  const Vector3 x = vector(atom->x[i]), v = vector(atom->v[i]), boxes = boxes_gone(i);
+/// Unwrapped position of a particle at the end of the step, and its velocity.
+FixHardEvents::EngineMotion FixHardEvents::engine_motion(int i, double end) const {
+  const Vector3 x = vector(atom->x[i]), v = vector(atom->v[i]), boxes = boxes_crossed(i);
   if (same(boxes, {})) return {x, v, 0.0};
   const Vector3 flow = simulation_.box().rates * boxes;
-  return {x + simulation_.box().at(end) * boxes, v + flow, ROUNDINGS * (norm(v) + norm(flow))};
+  return {x + simulation_.box().edges_at(end) * boxes, v + flow,
+          ROUND_OFF * (norm(v) + norm(flow))};
 }
 
-/// Whether a particle goes on with the flight that the simulation has.
-bool FixHardEvents::goes_on(int i, const Observed& now, double end) const {
-  const Flight& flight = simulation_.flights[i];
-  if (columns_[i][KICK] > 0.0) return false;
-  const bool same_velocity = now.velocity_rounding > 0.0
-                                 ? norm(now.velocity - flight.velocity) <= now.velocity_rounding
+/// Whether the motion in the engine agrees with the flight of the simulation.
+bool FixHardEvents::continues_flight(int i, const EngineMotion& now, double end) const {
+  const VersionedFlight& flight = simulation_.flights[i];
+  if (particle_data_[i][SPEED_INCREMENT] > 0.0) return false;
+  const bool same_velocity = now.velocity_tolerance > 0.0
+                                 ? norm(now.velocity - flight.velocity) <= now.velocity_tolerance
                                  : same(now.velocity, flight.velocity);
-  const Vector3 off = now.place - flight.at(end);
-  return same_velocity && dot(off, off) <= place_rounding_ * place_rounding_;
+  const Vector3 deviation = now.position - flight.at(end);
+  return same_velocity && dot(deviation, deviation) <= position_tolerance_ * position_tolerance_;
 }
 
-/// Loads a body and its flight: from what the engine has brought along with the particle, where it
-/// goes on with that.
+/// Loads a body and its flight: the flight stored with the particle, if the motion in the engine
+/// agrees with it.
 void FixHardEvents::load_body(int i, double dt) {
   const double start = simulation_.end(), end = start + dt;
-  Body& body = simulation_.bodies[i];
-  body = matter_of(i);
-  body.kick = columns_[i][KICK];
-  body.course.spin = vector(atom->omega[i]);
-  Flight& flight = simulation_.flights[i];
-  const bool known = !std::isnan(columns_[i][SINCE]);
-  if (known) {
-    flight.place = vector(columns_[i] + PLACE);
-    flight.velocity = vector(columns_[i] + VELOCITY);
-    flight.since = columns_[i][SINCE];
-    body.course.causal_depth = static_cast<int>(columns_[i][DEPTH]);
+  HardSphere& body = simulation_.bodies[i];
+  body = body_properties(i);
+  body.speed_increment = particle_data_[i][SPEED_INCREMENT];
+  body.event_state.spin = vector(atom->omega[i]);
+  VersionedFlight& flight = simulation_.flights[i];
+  const bool is_known = !std::isnan(particle_data_[i][START_TIME]);
+  if (is_known) {
+    flight.position = vector(particle_data_[i] + POSITION);
+    flight.velocity = vector(particle_data_[i] + VELOCITY);
+    flight.start_time = particle_data_[i][START_TIME];
+    body.event_state.causal_depth = static_cast<int>(particle_data_[i][CAUSAL_DEPTH]);
   } else {
-    note_image(i);
+    store_image_flags(i);
   }
-  const Observed now = observed(i, end);
-  if (known && goes_on(i, now, end)) return;
-  const Vector3 place = now.place - dt * now.velocity;
-  const bool from_there = known && norm(place - flight.at(start)) <= place_rounding_;
-  flight.place = from_there ? flight.at(start) : place;
+  const EngineMotion now = engine_motion(i, end);
+  if (is_known && continues_flight(i, now, end)) return;
+  const Vector3 position = now.position - dt * now.velocity;
+  const bool from_there = is_known && norm(position - flight.at(start)) <= position_tolerance_;
+  flight.position = from_there ? flight.at(start) : position;
   flight.velocity = now.velocity;
-  flight.since = start;
-  body.course.causal_depth = -1;
+  flight.start_time = start;
+  body.event_state.causal_depth = -1;
 }
 
-/// Loads the flights that others have changed, in the step that has begun, and what their events
+/// Loads the changes of flights by the engine in the current step, and of the state that events
 /// depend on.
 void FixHardEvents::load_changes(double dt) {
   const double start = simulation_.start(), end = simulation_.end();
   load_walls(end);
   for (int i = 0; i < atom->nlocal; i++) {
-    Body& body = simulation_.bodies[i];
+    HardSphere& body = simulation_.bodies[i];
     const Vector3 spin = vector(atom->omega[i]);
-    const bool same_body = same(spin, body.course.spin) && body.kick == columns_[i][KICK];
-    body.course.spin = spin;
-    body.kick = columns_[i][KICK];
-    const Observed now = observed(i, end);
-    const bool same_flight = goes_on(i, now, end);
+    const bool same_body = same(spin, body.event_state.spin) &&
+                           body.speed_increment == particle_data_[i][SPEED_INCREMENT];
+    body.event_state.spin = spin;
+    body.speed_increment = particle_data_[i][SPEED_INCREMENT];
+    const EngineMotion now = engine_motion(i, end);
+    const bool same_flight = continues_flight(i, now, end);
     if (same_body && same_flight) continue;
     if (same_flight) {
-      changed_.push_back({i, false});
+      changed_bodies_.push_back({i, false});
       continue;
     }
-    const Vector3 from = simulation_.flights[i].at(start), place = now.place - dt * now.velocity;
-    const double away = norm(place - from);
-    Flight flight;
-    flight.place = away <= place_rounding_ ? from : place;
+    const Vector3 from = simulation_.flights[i].at(start),
+                  position = now.position - dt * now.velocity;
+    const double away = norm(position - from);
+    VersionedFlight flight;
+    flight.position = away <= position_tolerance_ ? from : position;
     flight.velocity = now.velocity;
-    flight.since = start;
-    Course course = body.course;
-    course.causal_depth = -1;
-    changed_.push_back({i, away > MOVED * body.radius});
-    simulation_.change_flight(i, flight, course, changed_.back().moved);
+    flight.start_time = start;
+    EventState event_state = body.event_state;
+    event_state.causal_depth = -1;
+    changed_bodies_.push_back({i, away > RELOCATION_DISTANCE * body.radius});
+    simulation_.change_flight(i, flight, event_state, changed_bodies_.back().relocated);
   }
 }
 
-/// Sets the walls as they are in the step that ends at `when`.
+/// Sets the walls of the step that ends at `when`.
 void FixHardEvents::load_walls(double when) {
   simulation_.walls.clear();
-  for (const HardWalls* walls : walls_)
+  for (const HardWallSource* walls : walls_)
     for (int w = 0; w < walls->number_of_walls(); w++)
       simulation_.walls.push_back(walls->wall(w, when));
 }
 
 /* ---------------------------------------------------------------------- */
 
-/// Collective: sets how long the clock can go on: as long as the fastest particle takes for the
-/// shortest edge of the box, so that times have as many digits as places.
-void FixHardEvents::set_time_of_clock() {
+/// Collective: sets the time until the next shift of the time origin to that in which the fastest
+/// particle crosses the shortest edge of the box, so that times have as many digits as positions.
+void FixHardEvents::set_time_origin_lifetime() {
   double mine = 0.0, fastest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     const Vector3& v = simulation_.flights[i].velocity;
@@ -262,5 +267,5 @@ void FixHardEvents::set_time_of_clock() {
   const PeriodicBox::Edges& edges = simulation_.box().edges;
   double shortest = std::min(edges.xx, edges.yy);
   if (domain->dimension == 3) shortest = std::min(shortest, edges.zz);
-  time_of_clock_ = fastest > 0.0 ? shortest / std::sqrt(fastest) : never;
+  time_origin_lifetime_ = fastest > 0.0 ? shortest / std::sqrt(fastest) : never;
 }

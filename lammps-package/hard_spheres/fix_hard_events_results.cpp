@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixHardEvents that brings what the events have done to the engine.
+// The part of FixHardEvents that transfers the results of the events to the engine.
 #include <algorithm>
 #include <cmath>
 
@@ -20,8 +20,8 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// Events between the one whose particles' memory is asked for and the one that is looked at.
-static constexpr std::size_t AHEAD = 8;
+// Events between the prefetch of the particles of an event and their use.
+static constexpr std::size_t PREFETCH_DISTANCE = 8;
 
 static void put(const Vector3& a, double* to) {
   to[0] = a.x;
@@ -29,82 +29,86 @@ static void put(const Vector3& a, double* to) {
   to[2] = a.z;
 }
 
-/// Writes what the events have changed besides flights, and adds them to the sums.
+/// Writes the spins to the engine and adds the events to the totals.
 void FixHardEvents::store_events() {
   for (const Event& event : simulation_.events) {
     for (const int body : {event.i, event.j}) {
       if (body < 0 || body >= atom->nlocal) continue;
-      const Course& course = simulation_.bodies[body].course;
-      put(course.spin, atom->omega[body]);
-      totals_.most_events = std::max(totals_.most_events, static_cast<double>(course.events));
+      const EventState& event_state = simulation_.bodies[body].event_state;
+      put(event_state.spin, atom->omega[body]);
+      totals_.most_events = std::max(totals_.most_events, static_cast<double>(event_state.events));
     }
     if (event.i < atom->nlocal) totals_.add(event, event.with_wall());
   }
   record_->write(simulation_);
 }
 
-/// Writes the flights to the engine's arrays: places at the end of the step, in its boxes.
+/// Writes the flights to the engine: positions at the end of the step, wrapped as the image flags
+/// require.
 void FixHardEvents::store_flights() {
   const double end = simulation_.end();
-  const PeriodicBox::Edges h = simulation_.box().at(end), &rates = simulation_.box().rates;
-  const bool all = stored_.empty();
-  stored_.resize(atom->nlocal);
-  gone_.resize(atom->nlocal);
+  const PeriodicBox::Edges h = simulation_.box().edges_at(end), &rates = simulation_.box().rates;
+  const bool all = stored_versions_.empty();
+  stored_versions_.resize(atom->nlocal);
+  crossed_boundary_.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
-    const Flight& flight = simulation_.flights[i];
-    const Vector3 boxes = boxes_gone(i);
-    gone_[i] = !same(boxes, {});
+    const VersionedFlight& flight = simulation_.flights[i];
+    const Vector3 boxes = boxes_crossed(i);
+    crossed_boundary_[i] = !same(boxes, {});
     if (simulation_.bodies[i].inverse_mass == 0.0) {
-      // The engine's own numbers stay.
-    } else if (!gone_[i]) {
+      // The engine integrates immobile bodies itself.
+    } else if (!crossed_boundary_[i]) {
       put(flight.at(end), atom->x[i]);
       put(flight.velocity, atom->v[i]);
     } else {
       put(flight.at(end) - h * boxes, atom->x[i]);
       put(flight.velocity - rates * boxes, atom->v[i]);
     }
-    if (!all && stored_[i] == flight.version) continue;
-    stored_[i] = flight.version;
-    put(flight.place, columns_[i] + PLACE);
-    put(flight.velocity, columns_[i] + VELOCITY);
-    columns_[i][SINCE] = flight.since;
-    columns_[i][DEPTH] = simulation_.bodies[i].course.causal_depth;
+    if (!all && stored_versions_[i] == flight.version) continue;
+    stored_versions_[i] = flight.version;
+    put(flight.position, particle_data_[i] + POSITION);
+    put(flight.velocity, particle_data_[i] + VELOCITY);
+    particle_data_[i][START_TIME] = flight.start_time;
+    particle_data_[i][CAUSAL_DEPTH] = simulation_.bodies[i].event_state.causal_depth;
   }
   if (!simulation_.events.empty() || comm->nprocs > 1) comm->forward_comm();
 }
 
-/// Notes the nonaffine displacement of particle i, which is at `position`, `left` before the end of
-/// the step.
+/// Records the nonaffine displacement of particle i, which is at `position` at the time `left`
+/// before the end of the step.
 void FixHardEvents::track_displacement(int i, const Vector3& position, double left) {
   farthest_squared_ =
       std::max(farthest_squared_,
                displacements_.squared(i, position, shear_since(displacements_, domain, left)));
 }
 
-/// Asks for the memory that the displacements of an event's particles are worked out from.
-void FixHardEvents::foresee_displacements(const Event& event) const {
+/// Prefetches the data for the displacements of the particles of an event.
+void FixHardEvents::prefetch_displacements(const Event& event) const {
   for (const int i : {event.i, event.j}) {
     if (i < 0 || i >= atom->nlocal) continue;
     displacements_.foresee(i);
   }
 }
 
-/// Stops when a particle may have met one that is no ghost of its process.
-void FixHardEvents::check_list() {
+/// Stops if a particle may have met one that is not a ghost of this process.
+void FixHardEvents::check_neighbour_list() {
   const double dt = update->dt, end = simulation_.end();
   for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
   const std::vector<Event>& events = simulation_.events;
   for (std::size_t n = 0; n < events.size(); n++) {
     const Event& event = events[n];
-    foresee_displacements(events[std::min(n + AHEAD, events.size() - 1)]);
+    prefetch_displacements(events[std::min(n + PREFETCH_DISTANCE, events.size() - 1)]);
     const double left = end - event.key.time;
-    // Few are outside: what says how far is asked for of them alone.
-    const auto in_box = [&](int i, const Vector3& place) {
-      return gone_[i] ? place - simulation_.box().at(event.key.time) * boxes_gone(i) : place;
+    // Few particles are outside the box: only for these the number of boxes is read.
+    const auto in_box = [&](int i, const Vector3& position) {
+      return crossed_boundary_[i]
+                 ? position - simulation_.box().edges_at(event.key.time) * boxes_crossed(i)
+                 : position;
     };
     if (event.i < atom->nlocal) track_displacement(event.i, in_box(event.i, event.position), left);
     if (event.with_wall() || event.j >= atom->nlocal) continue;
-    const Vector3 image = simulation_.neighbourhoods().image(event.image).at(event.key.time);
+    const Vector3 image =
+        simulation_.neighbour_lists().image(event.image).displacement_at(event.key.time);
     track_displacement(event.j, in_box(event.j, event.position + event.separation - image), left);
   }
   const double extra = pair_->list_reach() + neighbor->skin;

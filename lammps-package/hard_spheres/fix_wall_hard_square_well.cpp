@@ -19,42 +19,44 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 
-// A plane attracts twice as strongly as a sphere.
+// The well of a plane is twice as deep as that of a sphere.
 static constexpr double PLANE_OVER_SPHERE = 2.0;
-// Overlap that is warned of, over the diameter: above what a data file's decimals leave.
+// Relative overlap with a wall that causes a warning, over the diameter: larger than the rounding
+// of a data file.
 static constexpr double OVERLAP = 5e-7;
 
 FixWallHardSquareWell::FixWallHardSquareWell(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
-      where_(std::string("fix ") + arg[0] + " wall/hard/square_well"),
+      message_prefix_(std::string("fix ") + arg[0] + " wall/hard/square_well"),
       warned_(false) {
   read(narg, arg);
   restart_global = 1;
 }
 
 void FixWallHardSquareWell::read(int narg, char** arg) {
-  WallsFromScript from_words(lmp, where_);
-  GivenKeywords given(lmp, where_);
+  WallsFromScript script_walls(lmp, message_prefix_);
+  GivenKeywords given_keywords(lmp, message_prefix_);
   for (int at = 3; at < narg;) {
     const std::string word = arg[at];
     if (word == "well" && at + 1 < narg && strcmp(arg[at + 1], "off") == 0) {
-      given.note(1, arg + at);
+      given_keywords.note(1, arg + at);
       contact_.well_given = true;
       at += 2;
-    } else if (const int taken = read_hard_keyword(lmp, where_, at, narg, arg, contact_, given)) {
-      at += taken;
-    } else if (const int wall = from_words.read(narg - at, arg + at)) {
+    } else if (const int words = read_hard_keyword(lmp, message_prefix_, at, narg, arg, contact_,
+                                                   given_keywords)) {
+      at += words;
+    } else if (const int wall = script_walls.read(narg - at, arg + at)) {
       at += wall;
     } else {
-      error->all(FLERR, where_ + ": unknown keyword '" + word +
+      error->all(FLERR, message_prefix_ + ": unknown keyword '" + word +
                             "'; valid ones: restitution, friction, well, " +
                             WallsFromScript::keywords);
     }
   }
-  from_words.finish();
-  require_valid(lmp, where_, contact_, given);
-  walls_ = from_words.walls;
-  motion_ = from_words.motion;
+  script_walls.finish();
+  require_valid(lmp, message_prefix_, contact_, given_keywords);
+  walls_ = script_walls.walls;
+  motion_ = script_walls.motion;
   course_ = cohesion::contact_solver::WallCourse(motion_);
 }
 
@@ -64,55 +66,55 @@ void FixWallHardSquareWell::initial_integrate(int) { course_.begin_step(update->
 
 void FixWallHardSquareWell::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, where_ + " acts on spheres; use 'atom_style sphere'");
+    error->all(FLERR, message_prefix_ + " acts on spheres; use 'atom_style sphere'");
   if (!force->pair_match("hard/square_well", 1))
-    error->all(FLERR, where_ + " goes with 'pair_style hard/square_well'; give it first");
+    error->all(FLERR, message_prefix_ + " goes with 'pair_style hard/square_well'; give it first");
   const std::vector<double> largest = largest_radii(lmp);
   for (const auto& wall : walls_) {
     if (wall.shape != cohesion::contact_solver::Wall::z_cylinder) continue;
     for (int type = 1; type <= atom->ntypes; type++)
       if (ratio(type) * largest[type] >= wall.position)
         error->all(FLERR,
-                   where_ +
+                   message_prefix_ +
                        ": zcylinder radius {} must be above {}, the reach of particles "
                        "of type {}",
                    wall.position, ratio(type) * largest[type], type);
   }
   const WallsAtStart start{walls_, course_.over({update->dt, 0.0}), groupbit, OVERLAP,
                            "it collides with the wall at once where it approaches it"};
-  warned_ =
-      warned_ || warn_of_particles_at_walls(lmp, where_, start, [](int, int) { return true; });
+  warned_ = warned_ ||
+            warn_of_particles_at_walls(lmp, message_prefix_, start, [](int, int) { return true; });
 }
 
 HardWall FixWallHardSquareWell::wall(int w, double when) const {
   HardWall wall;
-  wall.moving = {walls_[w], course_.over({update->dt, 0.0}), motion_.rim_speed, when};
-  wall.groups = groupbit;
+  wall.motion = {walls_[w], course_.over({update->dt, 0.0}), motion_.rim_speed, when};
+  wall.group_bits = groupbit;
   wall.moves = !motion_.still();
-  wall.of_kind.resize(atom->ntypes + 1);
+  wall.by_material.resize(atom->ntypes + 1);
   for (int type = 1; type <= atom->ntypes; type++)
-    wall.of_kind[type] = {law_of_type(type), ratio(type)};
+    wall.by_material[type] = {impact_law(type), ratio(type)};
   return wall;
 }
 
 const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
   return dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1))
-      ->contact_of_types(type, type);
+      ->contact(type, type);
 }
 
 double FixWallHardSquareWell::ratio(int type) const {
   return contact_.well_given ? contact_.well.ratio_i : pair_contact(type).well.ratio_i;
 }
 
-Law FixWallHardSquareWell::law_of_type(int type) const {
-  Law law = contact_.law();
+ImpactLaw FixWallHardSquareWell::impact_law(int type) const {
+  ImpactLaw law = contact_.law();
   if (!contact_.well_given) law.depth = PLANE_OVER_SPHERE * pair_contact(type).well.depth;
   return law;
 }
 
 /* ---------------------------------------------------------------------- */
 
-// Numbers of a restart file: its layout, how many walls there were, and their course.
+// Entries of a restart file: its layout, the number of walls, and their motion.
 static constexpr int LAYOUT = 1, COURSE = 2;
 
 void FixWallHardSquareWell::write_restart(FILE* fp) {
@@ -126,8 +128,9 @@ void FixWallHardSquareWell::write_restart(FILE* fp) {
 
 void FixWallHardSquareWell::restart(char* buf) {
   const auto* values = reinterpret_cast<const double*>(buf);
-  require_layout(lmp, values[0], where_, LAYOUT);
+  require_layout(lmp, values[0], message_prefix_, LAYOUT);
   if (values[1] != static_cast<double>(walls_.size()))
-    error->all(FLERR, where_ + ": other walls than in the restart file; give the fix another ID");
-  course_ = continued_course(lmp, where_, course_, walls_, values + COURSE);
+    error->all(FLERR,
+               message_prefix_ + ": other walls than in the restart file; give the fix another ID");
+  course_ = continued_course(lmp, message_prefix_, course_, walls_, values + COURSE);
 }

@@ -17,10 +17,10 @@ FixStyle(wall/hard/square_well,FixWallHardSquareWell);
 
 namespace LAMMPS_NS {
 
-/// fix wall/hard/square_well: walls that take part in the event-driven simulation of pair_style
-/// hard/square_well. FixHardEvents runs it; this fix holds what the script says. Doc:
+/// fix wall/hard/square_well: walls in the event-driven simulation of pair_style hard/square_well.
+/// FixHardEvents runs it; this fix stores the parameters of the script. Doc:
 /// docs/lammps-package/fix_wall_hard_square_well.md
-class FixWallHardSquareWell : public Fix, public HardWalls {
+class FixWallHardSquareWell : public Fix, public HardWallSource {
  public:
   FixWallHardSquareWell(class LAMMPS*, int, char**);
 
@@ -38,14 +38,14 @@ class FixWallHardSquareWell : public Fix, public HardWalls {
   void read(int, char**);
   const HardContact& pair_contact(int type) const;
   double ratio(int type) const;
-  cohesion::hard_sphere::Law law_of_type(int type) const;
+  cohesion::hard_sphere::ImpactLaw impact_law(int type) const;
 
-  std::string where_;  // in front of messages
+  std::string message_prefix_;  // begins all messages
   HardContact contact_;
   std::vector<cohesion::contact_solver::Wall> walls_;
   cohesion::contact_solver::WallMotion motion_;
   cohesion::contact_solver::WallCourse course_;
-  bool warned_;  // of particles that stand where they should not
+  bool warned_;  // of particles that overlap the walls or are behind them
 };
 
 }  // namespace LAMMPS_NS

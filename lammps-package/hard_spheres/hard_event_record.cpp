@@ -16,7 +16,7 @@ using namespace cohesion::hard_sphere;
 
 namespace {
 
-struct Line {
+struct RecordLine {
   EventKey key;
   int kind;
   bool elastic;
@@ -25,8 +25,8 @@ struct Line {
 }  // namespace
 
 HardEventRecord::HardEventRecord(LAMMPS* lammps, const std::string& file)
-    : Pointers(lammps), wanted_(!file.empty()), file_(nullptr) {
-  if (!wanted_ || comm->me != 0) return;
+    : Pointers(lammps), enabled_(!file.empty()), file_(nullptr) {
+  if (!enabled_ || comm->me != 0) return;
   file_ = fopen(file.c_str(), "w");
   if (!file_)
     error->one(FLERR, "pair_style hard/square_well: cannot open file '{}' of keyword record: {}",
@@ -38,25 +38,25 @@ HardEventRecord::~HardEventRecord() {
 }
 
 void HardEventRecord::write(const EventSimulation& simulation) {
-  if (!wanted_) return;
-  std::vector<Line> mine;
+  if (!enabled_) return;
+  std::vector<RecordLine> mine;
   for (const Event& event : simulation.events)
     if (event.i < atom->nlocal)
       mine.push_back({event.key, static_cast<int>(event.impact.kind), event.elastic});
 
-  const int bytes = static_cast<int>(mine.size() * sizeof(Line));
+  const int bytes = static_cast<int>(mine.size() * sizeof(RecordLine));
   std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
   MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, world);
   std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
-  std::vector<Line> all(file_ ? (starts.back() + sizes.back()) / sizeof(Line) : 0);
+  std::vector<RecordLine> all(file_ ? (starts.back() + sizes.back()) / sizeof(RecordLine) : 0);
   MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
               world);
   if (!file_) return;
   std::stable_sort(all.begin(), all.end(),
-                   [](const Line& a, const Line& b) { return a.key < b.key; });
-  for (const Line& line : all)
+                   [](const RecordLine& a, const RecordLine& b) { return a.key < b.key; });
+  for (const RecordLine& line : all)
     fprintf(file_, BIGINT_FORMAT " %.17g %s%s %" PRId64 " %" PRId64 "\n", update->ntimestep,
             (line.key.time - simulation.start()) / update->dt, line.key.tag_j < 0 ? "wall_" : "",
-            line.elastic ? "elastic" : kind_names[line.kind], line.key.tag_i, line.key.tag_j);
+            line.elastic ? "elastic" : event_kind_names[line.kind], line.key.tag_i, line.key.tag_j);
   fflush(file_);
 }

@@ -10,20 +10,20 @@
 
 namespace LAMMPS_NS {
 
-/// The file with a line for every event that `record FILE` asks for; process 0 writes it.
+/// The file of keyword `record FILE` with one line per event. Process 0 writes it.
 class HardEventRecord : protected Pointers {
  public:
-  /// Empty name: no file.
+  /// An empty name disables the file.
   HardEventRecord(LAMMPS*, const std::string& file);
   ~HardEventRecord();
   HardEventRecord(const HardEventRecord&) = delete;
   HardEventRecord& operator=(const HardEventRecord&) = delete;
 
-  /// Collective: the events of a step of all processes, in order.
+  /// Collective: writes the events of a step of all processes, sorted.
   void write(const cohesion::hard_sphere::EventSimulation&);
 
  private:
-  bool wanted_;
+  bool enabled_;
   FILE* file_;
 };
 

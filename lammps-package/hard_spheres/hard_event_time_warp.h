@@ -10,60 +10,61 @@
 
 namespace LAMMPS_NS {
 
-/// Runs the events of a step on many processes (src/hard_sphere/time_warp.h): brings updates of
-/// particles from their owners to those who have them as remote ones, until all agree.
+/// Executes the events of a step on several processes (src/hard_sphere/time_warp.h): exchanges
+/// messages about bodies between their owners and the processes with remote copies, and reduces the
+/// global virtual time.
 ///
 /// The bodies of the simulation are the own particles, then the remote ones.
 class HardEventTimeWarp : protected Pointers {
  public:
   HardEventTimeWarp(class LAMMPS*, cohesion::hard_sphere::TimeWarp&);
 
-  /// A body whose flight, or what its events depend on, others have changed. `moved`: as in
-  /// EventSimulation::change_flight().
+  /// A body whose flight, spin or velocity increment the engine has changed since the last step.
+  /// `relocated`: as in EventSimulation::change_flight().
   struct ChangedBody {
     int body;
-    bool moved;
+    bool relocated;
   };
 
   /// Collective: sets the remote particles of this process, in the order of their bodies.
-  void plan(const std::vector<BorderExchange::Request>& remote);
-  /// Whether other processes have an own particle as a remote one.
+  void set_remote_particles(const std::vector<BorderExchange::ParticleRequest>& remote);
+  /// Whether other processes have a remote copy of an own particle.
   bool is_shared(int own) const;
-  /// Collective: gives remote bodies the flights that they have on their own processes, and notes
-  /// which own ones are shared.
-  void share_flights();
-  /// Collective: changes remote bodies as their own processes have changed them, and adds them to
-  /// those changed.
-  void share_changes(std::vector<ChangedBody>& changed);
-  /// Collective: executes the events of a step. Ends early when there is no end of events
-  /// (EventSimulation::overrun).
+  /// Collective: copies the flights of all remote bodies from their owners, and marks the own
+  /// bodies that are shared.
+  void exchange_flights();
+  /// Collective: applies the changes of remote bodies that their owners have entered in `changed`,
+  /// and adds these bodies to `changed`.
+  void exchange_changes(std::vector<ChangedBody>& changed);
+  /// Collective: executes the events of a step. Ends early if a body exceeds the limit of events
+  /// (EventSimulation::overrun()).
   void run_step();
 
  private:
-  struct SharedBody {
+  struct BodyMessage {
     int slot;
-    bool moved;
-    double kick;
+    bool relocated;
+    double speed_increment;
     cohesion::hard_sphere::FreeFlight flight;
-    cohesion::hard_sphere::Course course;
+    cohesion::hard_sphere::EventState event_state;
   };
-  struct SharedUpdate {
+  struct RoutedMessage {
     int slot;
     int owner_of_partner;
-    bool none;  // the particle has no updates any more
-    cohesion::hard_sphere::RemoteUpdate update;
+    bool clears;  // the body has no messages in this window any more
+    cohesion::hard_sphere::EventMessage message;
   };
 
-  SharedBody share(int body, int slot, bool moved) const;
+  BodyMessage body_message(int body, int slot, bool relocated) const;
   void run_window(double from, double until);
-  void exchange_updates();
+  void exchange_messages();
 
   cohesion::hard_sphere::TimeWarp& simulation_;
   BorderExchange border_;
-  int own_;                  // number of own particles
+  int own_count_;
   std::vector<int> owners_;  // of the remote particles
-  double events_per_time_;   // of all processes, in the last step
-  std::vector<std::vector<SharedUpdate> > updates_out_, updates_in_;  // by peer, keep their memory
+  double event_rate_;        // of all processes in the last step, [1/time]; below 0: no step yet
+  std::vector<std::vector<RoutedMessage> > messages_out_, messages_in_;  // by peer; keep memory
 };
 
 }  // namespace LAMMPS_NS

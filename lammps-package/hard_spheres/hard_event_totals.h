@@ -9,33 +9,34 @@
 
 namespace LAMMPS_NS {
 
-/// Sums over the events of this process by kind, which computes hard/events and hard/stress report.
+/// Sums over the events of this process by kind, for compute hard/events and compute hard/stress.
 struct HardEventTotals {
-  static constexpr int kinds = static_cast<int>(cohesion::hard_sphere::kind_names.size());
+  static constexpr int kinds = static_cast<int>(cohesion::hard_sphere::event_kind_names.size());
   enum Quantity { count, energy_change, impulse, virial, quantities };
   using ByKind = std::array<std::array<double, kinds>, quantities>;
 
   std::array<ByKind, 2> sums{};                      ///< of pairs, of walls
   std::array<cohesion::MomentumFlux, kinds> flux{};  ///< of pairs: Event::momentum_flux()
-  bool flux_wanted = false;
-  double elastic = 0.0;        ///< collisions made elastic against inelastic collapse
-  double at_rest = 0.0;        ///< collisions to which the rule of rest gave speed
-  double given_at_rest = 0.0;  ///< kinetic energy that it gave them, [energy]
-  double most_events = 0.0;    ///< most events of one particle in one step
+  bool flux_enabled = false;
+  double elastic = 0.0;  ///< collisions made elastic by the rules against inelastic collapse
+  double rest_rule_collisions =
+      0.0;  ///< collisions in which the rule of rest increased the speed of separation
+  double rest_rule_energy = 0.0;  ///< kinetic energy added in them, [energy]
+  double most_events = 0.0;       ///< largest number of events of one particle in one step
 
   void add(const cohesion::hard_sphere::Event& event, bool wall) {
     const auto kind = static_cast<std::size_t>(event.impact.kind);
     ByKind& by = sums[wall];
     by[count][kind] += 1.0;
     by[energy_change][kind] += event.impact.energy_change;
-    by[impulse][kind] += std::abs(event.impact.normal);
-    by[virial][kind] += event.impact.normal * event.distance;
+    by[impulse][kind] += std::abs(event.impact.normal_impulse);
+    by[virial][kind] += event.impact.normal_impulse * event.distance;
     elastic += event.elastic;
-    at_rest += event.impact.given_at_rest > 0.0;
-    given_at_rest += event.impact.given_at_rest;
-    if (!flux_wanted || wall) return;
-    const auto of_event = event.momentum_flux();
-    for (std::size_t k = 0; k < of_event.size(); k++) flux[kind][k] += of_event[k];
+    rest_rule_collisions += event.impact.rest_rule_energy > 0.0;
+    rest_rule_energy += event.impact.rest_rule_energy;
+    if (!flux_enabled || wall) return;
+    const auto event_flux = event.momentum_flux();
+    for (std::size_t k = 0; k < event_flux.size(); k++) flux[kind][k] += event_flux[k];
   }
 };
 

@@ -23,14 +23,14 @@ using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-// Reach of the list beyond the contact, as a fraction of the skin. Where the engine's own check
-// keeps the list, particles may be half a skin away from where they were; the events of the step
-// then turn some away farther.
+// Reach of the neighbour list beyond the contact, as a fraction of the skin. The check of the
+// engine keeps the list until a particle has moved by half a skin. The events of the step can then
+// deflect particles farther.
 static constexpr double REACH = 0.25;
 static constexpr int LAYOUT = 4;  // of settings and HardContact in restart files
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
-    : Pair(lammps), given_(lammps), events_(nullptr) {
+    : Pair(lammps), contacts_(lammps), event_fix_(nullptr) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
@@ -49,42 +49,43 @@ void PairHardSquareWell::allocate() {
   const int types = atom->ntypes;
   memory->create(setflag, types + 1, types + 1, "pair:setflag");
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
-  given_.make_room(types, setflag);
+  contacts_.make_room(types, setflag);
 }
 
-/// Adds the virial of the events, which have been executed, and the energy of the wells.
+/// Adds the virial of the executed events and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  given_.require_committed("pair_style hard/square_well");
+  contacts_.require_committed("pair_style hard/square_well");
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
-    for (const Event& event : events_->simulation().events) {
+    for (const Event& event : event_fix_->simulation().events) {
       if (event.with_wall()) continue;
-      const auto on_i = per_time * event.impact.on_j;
+      const auto on_i = per_time * event.impact.impulse;
       const auto& r = event.separation;
       ev_tally_xyz(event.i, event.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z, -r.x, -r.y,
                    -r.z);
     }
   }
   if (!eflag_either) return;
-  events_->simulation().for_each_pair([this](int i, const Neighbour& n) {
+  event_fix_->simulation().for_each_pair([this](int i, const Neighbour& n) {
     if (!n.inside || n.is_wall()) return;
-    const Body &a = events_->simulation().bodies[i], &b = events_->simulation().bodies[n.body];
-    const double depth = contact_of_types(a.kind, b.kind).well.depth;
+    const HardSphere &a = event_fix_->simulation().bodies[i],
+                     &b = event_fix_->simulation().bodies[n.body];
+    const double depth = contact(a.material, b.material).well.depth;
     ev_tally(i, n.body, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
   });
 }
 
 /// A pair is bound while it is in its well.
 void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) const {
-  for (const FixHardEvents::PairInWell& pair : events_->pairs_in_wells())
+  for (const FixHardEvents::PairInWell& pair : event_fix_->pairs_in_wells())
     pairs.push_back({pair.i, pair.j});
 }
 
 void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) const {
-  for (const auto& [i, j, separation, relative_velocity] : events_->pairs_in_wells()) {
-    const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
+  for (const auto& [i, j, separation, relative_velocity] : event_fix_->pairs_in_wells()) {
+    const auto& well = contact(atom->type[i], atom->type[j]).well;
     if (cohesion::square_well::will_be_captured(
             separation, -relative_velocity,
             cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
@@ -95,46 +96,46 @@ void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) con
 
 double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
 
-void PairHardSquareWell::give(int i, int j, const HardContact& c) {
-  given_(i, j) = given_(j, i) = c;
-  given_(j, i).well = cohesion::square_well::reversed(c.well);
+void PairHardSquareWell::set_contact(int i, int j, const HardContact& c) {
+  contacts_(i, j) = contacts_(j, i) = c;
+  contacts_(j, i).well = cohesion::square_well::reversed(c.well);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairHardSquareWell::settings(int narg, char** arg) {
-  const std::string where = "pair_style hard/square_well";
-  GivenKeywords given(lmp, where);
+  const std::string message_prefix = "pair_style hard/square_well";
+  GivenKeywords given_keywords(lmp, message_prefix);
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "collapse" && word != "contact_time" && word != "rest" && word != "limit" &&
         word != "record")
-      error->all(FLERR, where + ": unknown keyword '" + word +
+      error->all(FLERR, message_prefix + ": unknown keyword '" + word +
                             "'; valid ones: rest, collapse, contact_time, limit, record");
     if (i + 1 == narg)
-      error->all(FLERR, where + ": " + word +
+      error->all(FLERR, message_prefix + ": " + word +
                             (word == "record" ? " takes a file name" : " takes a number"));
-    given.note(1, arg + i);
+    given_keywords.note(1, arg + i);
     const std::string value = arg[i + 1];
     if (word == "record") {
       record_file_ = value;
     } else if ((word == "collapse" || word == "rest") && value == "off") {
       if (word == "rest")
-        rules_.rest = 0.0;
+        rules_.rest_factor = 0.0;
       else
-        rules_.collapse = 0;
+        rules_.collapse_limit = 0;
     } else if (word == "contact_time" || word == "rest") {
       const double number = utils::numeric(FLERR, arg[i + 1], false, lmp);
       if (!(std::isfinite(number) && number >= 0.0))
-        error->all(FLERR,
-                   where + ": " + word + " " + value + " must be a finite number not below zero");
-      (word == "rest" ? rules_.rest : rules_.contact_time) = number;
+        error->all(FLERR, message_prefix + ": " + word + " " + value +
+                              " must be a finite number not below zero");
+      (word == "rest" ? rules_.rest_factor : rules_.contact_time) = number;
     } else {
       const int number = utils::inumeric(FLERR, arg[i + 1], false, lmp);
       if (number < 1)
-        error->all(FLERR, where + ": " + word + " " + value + " must be at least 1" +
+        error->all(FLERR, message_prefix + ": " + word + " " + value + " must be at least 1" +
                               (word == "collapse" ? ", or 'off'" : ""));
-      (word == "collapse" ? rules_.collapse : rules_.limit) = number;
+      (word == "collapse" ? rules_.collapse_limit : rules_.event_limit) = number;
     }
   }
 }
@@ -145,19 +146,19 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
                "pair_coeff of hard/square_well takes 'i j restitution e [friction mu] [well D "
                "ratio]'");
   if (!allocated) allocate();
-  const std::string where =
+  const std::string message_prefix =
       std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/square_well";
   HardContact c;
-  GivenKeywords given(lmp, where);
+  GivenKeywords given_keywords(lmp, message_prefix);
   for (int at = 2; at < narg;) {
-    const int words = read_hard_keyword(lmp, where, at, narg, arg, c, given);
+    const int words = read_hard_keyword(lmp, message_prefix, at, narg, arg, c, given_keywords);
     if (words == 0)
-      error->all(FLERR, where + ": unknown keyword '" + arg[at] +
+      error->all(FLERR, message_prefix + ": unknown keyword '" + arg[at] +
                             "'; valid ones: restitution, friction, well");
     at += words;
   }
-  require_valid(lmp, where, c, given);
-  given_.assign(where, arg, [&](int i, int j) { give(i, j, c); });
+  require_valid(lmp, message_prefix, c, given_keywords);
+  contacts_.assign(message_prefix, arg, [&](int i, int j) { set_contact(i, j, c); });
 }
 
 void PairHardSquareWell::init_style() {
@@ -165,20 +166,20 @@ void PairHardSquareWell::init_style() {
     error->all(FLERR, "pair_style hard/square_well acts between spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
-  events_ = FixHardEvents::of(lmp);
-  given_.commit();
+  event_fix_ = FixHardEvents::find_or_create(lmp);
+  contacts_.commit();
   require_plausible_spheres(lmp, "pair_style hard/square_well");
   require_whole_special_factors(lmp, this, "pair_style hard/square_well", false);
   largest_radius_ = largest_radii(lmp);
-  acts_.assign(given_.size(), false);
+  active_.assign(contacts_.size(), false);
 }
 
 double PairHardSquareWell::init_one(int i, int j) {
-  if (given_.to_mix("pair_style hard/square_well", i, j))
-    give(i, j, {mixed(given_(i, i), given_(j, j))});
-  acts_[given_.number(i, j)] = acts_[given_.number(j, i)] = true;
+  if (contacts_.to_mix("pair_style hard/square_well", i, j))
+    set_contact(i, j, {mixed(contacts_(i, i), contacts_(j, j))});
+  active_[contacts_.number(i, j)] = active_[contacts_.number(j, i)] = true;
   const double edge =
-      cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]);
+      cohesion::square_well::edge(contacts_(i, j).well, largest_radius_[i], largest_radius_[j]);
   require_plausible_range(lmp, "pair_style hard/square_well", edge);
   return edge + list_reach();
 }
@@ -187,20 +188,20 @@ double PairHardSquareWell::init_one(int i, int j) {
 
 void PairHardSquareWell::write_restart(FILE* fp) {
   write_restart_settings(fp);
-  given_.write(fp);
+  contacts_.write(fp);
 }
 
 void PairHardSquareWell::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
-  given_.read(fp, [this](int i, int j, const HardContact& c) { give(i, j, c); });
+  contacts_.read(fp, [this](int i, int j, const HardContact& c) { set_contact(i, j, c); });
 }
 
 void PairHardSquareWell::write_restart_settings(FILE* fp) {
   write_layout(fp, LAYOUT);
-  const int numbers[2] = {rules_.collapse, rules_.limit};
+  const int numbers[2] = {rules_.collapse_limit, rules_.event_limit};
   fwrite(numbers, sizeof(int), 2, fp);
-  const double reals[2] = {rules_.contact_time, rules_.rest};
+  const double reals[2] = {rules_.contact_time, rules_.rest_factor};
   fwrite(reals, sizeof(double), 2, fp);
 }
 
@@ -214,8 +215,8 @@ void PairHardSquareWell::read_restart_settings(FILE* fp) {
   }
   MPI_Bcast(numbers, 2, MPI_INT, 0, world);
   MPI_Bcast(reals, 2, MPI_DOUBLE, 0, world);
-  rules_.collapse = numbers[0];
-  rules_.limit = numbers[1];
+  rules_.collapse_limit = numbers[0];
+  rules_.event_limit = numbers[1];
   rules_.contact_time = reals[0];
-  rules_.rest = reals[1];
+  rules_.rest_factor = reals[1];
 }

@@ -20,9 +20,9 @@ PairStyle(hard/square_well,PairHardSquareWell);
 
 namespace LAMMPS_NS {
 
-/// pair_style hard/square_well: hard spheres with square wells whose impulses act at their times
-/// within the step. The laws and the event-driven simulation are in src/hard_sphere and
-/// src/square_well; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_square_well.md
+/// pair_style hard/square_well: hard spheres with square wells, whose impulses act at their exact
+/// times within the step. src/hard_sphere and src/square_well contain the laws and the event-driven
+/// simulation; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_square_well.md
 class PairHardSquareWell : public Pair, public BoundPairs {
  public:
   explicit PairHardSquareWell(class LAMMPS*);
@@ -42,23 +42,22 @@ class PairHardSquareWell : public Pair, public BoundPairs {
 
   const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
-  const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
-  /// Whether this style acts between two types: in pair_style hybrid not between all.
-  bool acts_between(int i, int j) const { return acts_[given_.number(i, j)]; }
-  /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
-  /// [length].
+  const HardContact& contact(int i, int j) const { return contacts_(i, j); }
+  /// Whether this style acts between two types; in pair_style hybrid it acts between some only.
+  bool acts_between(int i, int j) const { return active_[contacts_.number(i, j)]; }
+  /// Reach of the neighbour list beyond the range of a contact, in addition to the skin, [length].
   double list_reach() const;
 
  private:
   void allocate();
-  void give(int i, int j, const HardContact&);
+  void set_contact(int i, int j, const HardContact&);
 
   cohesion::hard_sphere::EventRules rules_;
   std::string record_file_;
-  TypePairTable<HardContact> given_;
+  TypePairTable<HardContact> contacts_;
   std::vector<double> largest_radius_;
-  class FixHardEvents* events_;
-  std::vector<bool> acts_;  // by pair of types
+  class FixHardEvents* event_fix_;
+  std::vector<bool> active_;  // by pair of types
 };
 
 }  // namespace LAMMPS_NS

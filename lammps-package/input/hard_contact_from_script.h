@@ -5,13 +5,13 @@
 #include <string>
 
 #include "given_keywords.h"
-#include "hard_sphere/contact_parameters.h"
+#include "hard_sphere/hard_contact_parameters.h"
 #include "lammps.h"
 
 namespace LAMMPS_NS {
 
 /// The impacts of two materials as a script gives them.
-struct HardContact : cohesion::hard_sphere::ContactParameters {
+struct HardContact : cohesion::hard_sphere::HardContactParameters {
   bool well_given = false;  ///< the script gives a well, or `well off`
 };
 

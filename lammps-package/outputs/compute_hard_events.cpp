@@ -20,7 +20,7 @@ static constexpr int GIVEN_AT_REST = AT_REST + 1;
 static constexpr int ENTRIES = AT_REST + 2;
 
 ComputeHardEvents::ComputeHardEvents(LAMMPS* lammps, int narg, char** arg)
-    : Compute(lammps, narg, arg), events_(FixHardEvents::of(lammps)) {
+    : Compute(lammps, narg, arg), events_(FixHardEvents::find_or_create(lammps)) {
   if (narg != 3) error->all(FLERR, "compute hard/events takes no further arguments");
   if (igroup != 0)
     error->all(FLERR, "compute hard/events sums over all particles; its group must be 'all'");
@@ -50,8 +50,8 @@ void ComputeHardEvents::compute_vector() {
         mine[walls * WALLS + quantity * HardEventTotals::kinds + kind] =
             totals.sums[walls][quantity][kind];
   mine[ELASTIC] = totals.elastic;
-  mine[AT_REST] = totals.at_rest;
-  mine[GIVEN_AT_REST] = totals.given_at_rest;
+  mine[AT_REST] = totals.rest_rule_collisions;
+  mine[GIVEN_AT_REST] = totals.rest_rule_energy;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&totals.most_events, vector + MOST_EVENTS, 1, MPI_DOUBLE, MPI_MAX, world);
 }

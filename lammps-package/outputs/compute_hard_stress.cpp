@@ -7,8 +7,8 @@ using namespace LAMMPS_NS;
 
 ComputeHardStress::ComputeHardStress(LAMMPS* lammps, int narg, char** arg)
     : ComputeFluxTotals(lammps, narg, arg, HardEventTotals::kinds),
-      events_(FixHardEvents::of(lammps)) {
-  events_->sum_flux();
+      events_(FixHardEvents::find_or_create(lammps)) {
+  events_->enable_flux();
 }
 
 const cohesion::MomentumFlux* ComputeHardStress::totals() { return events_->totals().flux.data(); }

@@ -9,80 +9,85 @@
 
 namespace cohesion::hard_sphere {
 
-/// Free flight: x(t) = place + (t - since) velocity.
+/// Free flight of a body: x(t) = position + (t - start_time) velocity.
 struct FreeFlight {
-  Vector3 place;
+  Vector3 position;
   Vector3 velocity;
-  double since = 0.0;  ///< time of its last event, or of the last change by others, [time]
+  double start_time = 0.0;  ///< of the last event, or of the last change by the engine, [time]
 
-  Vector3 at(double time) const { return place + (time - since) * velocity; }
+  Vector3 at(double time) const { return position + (time - start_time) * velocity; }
 };
 
-/// The flight of a particle. As large as a line of the cache: predictions read many of them.
-struct alignas(64) Flight : FreeFlight {
-  std::uint32_t version = 0;  ///< another one after every change
+/// Free flight with a version number, by which predictions find out that it has changed. The size
+/// is one cache line, since predictions read the flights of many neighbours.
+struct alignas(64) VersionedFlight : FreeFlight {
+  std::uint32_t version = 0;  ///< increases with every change
 };
 
-/// What events change in a particle besides its flight, and what they count.
-struct Course {
+/// State that events change besides the flight, and counters for the rules of a step
+/// (event_rules.h).
+struct EventState {
   Vector3 spin;
-  double last_collision = -never;  ///< in this step, [time]
-  int causal_depth = -1;  ///< EventKey::causal_depth of the event at Flight::since; -1: none
-  int collisions = 0;     ///< in the step
-  int events = 0;         ///< in the step
-  int step = 0;           ///< the number of that step
+  double last_collision = -never;  ///< within this step, [time]
+  int causal_depth = -1;           ///< of the event at the start of the flight; -1: none
+  int collisions = 0;              ///< within the step
+  int events = 0;                  ///< within the step
+  int step = 0;                    ///< number of the step that the counters belong to
 };
 
 inline bool same(const Vector3& a, const Vector3& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 inline bool same(const FreeFlight& a, const FreeFlight& b) {
-  return same(a.place, b.place) && same(a.velocity, b.velocity) && a.since == b.since;
+  return same(a.position, b.position) && same(a.velocity, b.velocity) &&
+         a.start_time == b.start_time;
 }
-inline bool same(const Course& a, const Course& b) {
+inline bool same(const EventState& a, const EventState& b) {
   return same(a.spin, b.spin) && a.causal_depth == b.causal_depth && a.step == b.step &&
          a.collisions == b.collisions && a.events == b.events &&
          a.last_collision == b.last_collision;
 }
 
-/// The change of velocity, [length/time], by a force in a step of length `dt`.
-inline double kick_of(const Vector3& force, double inverse_mass, double dt) {
+/// Magnitude of the velocity change, [length/time], by a force during a step of length `dt`.
+inline double speed_increment(const Vector3& force, double inverse_mass, double dt) {
   return dt * inverse_mass * norm(force);
 }
 
-struct Body {
-  double inverse_mass = 0.0;     ///< [1/mass]; 0: nothing moves it
+/// A body of the simulation. A hard sphere that is immobile has a flight, too, at constant
+/// velocity.
+struct HardSphere {
+  double inverse_mass = 0.0;     ///< [1/mass]; 0: immobile
   double inverse_inertia = 0.0;  ///< [1/(mass length^2)]
   double radius = 0.0;           ///< [length]
-  double kick = 0.0;  ///< change of its velocity by other forces in this step, [length/time]
+  double speed_increment = 0.0;  ///< velocity change by other forces in this step, [length/time]
   std::int64_t tag = 0;
-  int kind = 0;                   ///< of the material
-  int groups = -1;                ///< bits of the groups that it belongs to
-  bool remote = false;            ///< another process has it too, and decides on its flight
-  bool shared = true;             ///< if not remote: other processes have it too, or may have
-  std::uint32_t last_change = 0;  ///< TimeWarp's
-  Course course;
+  int material = 0;     ///< index of its material in PairRules
+  int group_bits = -1;  ///< bit mask of the groups that it belongs to
+  bool remote = false;  ///< a copy; another process owns the body and decides on its flight
+  bool shared = true;   ///< an own body of which other processes have, or may have, a copy
+  std::uint32_t last_change = 0;  ///< number of its newest change in StateQueue
+  EventState event_state;
 };
 
-/// Whether two bodies are the same but for their motion.
-inline bool same_matter(const Body& a, const Body& b) {
-  return a.tag == b.tag && a.kind == b.kind && a.groups == b.groups && a.remote == b.remote &&
-         a.radius == b.radius && a.inverse_mass == b.inverse_mass &&
+/// Whether two bodies have the same properties apart from their motion.
+inline bool same_properties(const HardSphere& a, const HardSphere& b) {
+  return a.tag == b.tag && a.material == b.material && a.group_bits == b.group_bits &&
+         a.remote == b.remote && a.radius == b.radius && a.inverse_mass == b.inverse_mass &&
          a.inverse_inertia == b.inverse_inertia;
 }
 
-/// A pair, or a particle and a wall, by tags; as in EventKey.
-struct Tags {
+/// Tags of a pair, or of a particle and a wall, in the order of EventKey.
+struct TagPair {
   std::int64_t i, j;
-  bool operator<(const Tags& b) const { return i != b.i ? i < b.i : j < b.j; }
+  bool operator<(const TagPair& b) const { return i != b.i ? i < b.i : j < b.j; }
 };
 
-/// The place of an event in the order: events go by time; of those at the same instant causes come
-/// before what they cause; then they go by the lower, then the higher tag; those with a wall by the
-/// tag of the body, then by -1 - number of the wall.
+/// Virtual time of an event, which defines a total order. Events are ordered by time. Of events at
+/// the same instant, a cause precedes its effects. Remaining ties are resolved by the lower, then
+/// the higher tag of the pair; for a wall by the tag of the body, then by -1 - number of the wall.
 struct EventKey {
   double time;
-  int causal_depth;  ///< of the chain of events of that instant that led to it
+  int causal_depth;  ///< length of the chain of events of this instant that led to the event
   std::int64_t tag_i;
   std::int64_t tag_j;
 
@@ -93,21 +98,21 @@ struct EventKey {
   }
 };
 
-/// An event that has been executed.
+/// An executed event.
 struct Event {
   EventKey key;
   int i;               ///< body with the lower tag
   int j;               ///< body, or -1 - number of the wall
-  int image;           ///< of j
-  bool elastic;        ///< a collision made elastic by the rule against inelastic collapse
-  bool was_inside;     ///< in the well before
-  double distance;     ///< of the centres, of a centre and a wall, [length]
+  int image;           ///< number of the periodic image of j
+  bool elastic;        ///< whether the rules against inelastic collapse made the collision elastic
+  bool was_inside;     ///< whether the pair was in its well before the event
+  double distance;     ///< between the centres, or between centre and wall, [length]
   Vector3 separation;  ///< from i to j, [length]
   Vector3 position;    ///< of i, [length]
-  Impact impact;
+  ImpactOutcome impact;
 
   bool with_wall() const { return j < 0; }
-  MomentumFlux momentum_flux() const { return cohesion::momentum_flux(separation, impact.on_j); }
+  MomentumFlux momentum_flux() const { return cohesion::momentum_flux(separation, impact.impulse); }
 };
 
 }  // namespace cohesion::hard_sphere

@@ -8,74 +8,76 @@
 
 namespace cohesion::hard_sphere {
 
-/// The flow of places with a box that changes uniformly in time. The middle of the box is at rest.
+/// The affine flow of a box whose edges change uniformly in time. The centre of the box is at rest.
 class BoxFlow {
  public:
-  /// `lifetime` [time]: for how long at a time the flow is looked at.
+  /// `lifetime` [time]: interval over which distances are bounded.
   void set(const PeriodicBox& box, double lifetime) {
     box_ = box;
     lifetime_ = lifetime;
-    flows_ = !box.rates.zero();
-    note_gradient();
+    flows_ = !box.rates.is_zero();
+    update_gradient();
   }
 
-  /// Time 0 is at the time `now` from here on.
-  void set_clock_back(double now) {
-    box_.edges = box_.at(now);
-    note_gradient();
+  /// Shifts the time origin to `now`.
+  void shift_time_origin(double now) {
+    box_.edges = box_.edges_at(now);
+    update_gradient();
   }
 
   const PeriodicBox& box() const { return box_; }
   double lifetime() const { return lifetime_; }
-  /// Whether places move.
+  /// Whether the box deforms.
   explicit operator bool() const { return flows_; }
 
-  /// Where a place [length] is in the box at a time, in edges.
-  Vector3 fraction(const Vector3& place, double now) const {
-    return PeriodicBox::fraction(box_.at(now), place - box_.origin + now * velocity_of_middle());
+  /// Fractional coordinates of a position [length] at a time.
+  Vector3 fraction(const Vector3& position, double now) const {
+    return PeriodicBox::fraction(box_.edges_at(now),
+                                 position - box_.origin + now * centre_velocity());
   }
 
-  /// Where that is at time 0, [length], and its velocity, [length/time].
-  Vector3 place(const Vector3& fraction) const { return box_.origin + box_.edges * fraction; }
+  /// Position [length] at time 0 and velocity [length/time] of a point with given fractional
+  /// coordinates.
+  Vector3 position(const Vector3& fraction) const { return box_.origin + box_.edges * fraction; }
   Vector3 velocity(const Vector3& fraction) const {
-    return flows_ ? box_.rates * fraction - velocity_of_middle() : Vector3{};
+    return flows_ ? box_.rates * fraction - centre_velocity() : Vector3{};
   }
 
-  /// The square of the least distance [length], from now on for a lifetime, of two places that flow
-  /// with the box and are r apart at time 0.
-  double least_square(const Vector3& r, double now) const {
-    return flows_ ? least_square(gradient_, r, now, lifetime_) : dot(r, r);
+  /// Square of the least distance [length^2] during the next lifetime of two points that move with
+  /// the flow and have the separation r [length] at time 0.
+  double least_squared_distance(const Vector3& r, double now) const {
+    return flows_ ? least_squared_distance(gradient_, r, now, lifetime_) : dot(r, r);
   }
 
-  /// Calls f(square), where square(r) is that: the simplest function that gives it in this flow,
-  /// and it reads no memory, for loops over many r.
+  /// Calls f(square), where square(r) is least_squared_distance(r, now). The function passed is the
+  /// cheapest one for this flow and reads no memory, for loops over many r.
   template <class F>
-  void with_least_square(double now, const F& f) const {
+  void with_least_squared_distance(double now, const F& f) const {
     const PeriodicBox::Edges gradient = gradient_;
     const double lifetime = lifetime_;
     if (!flows_)
       f([](const Vector3& r) { return dot(r, r); });
     else if (flows_along_x_)
       f([gradient, lifetime, now](const Vector3& r) {
-        return least_square_along_x(gradient, r, now, lifetime);
+        return least_squared_distance_along_x(gradient, r, now, lifetime);
       });
     else
       f([gradient, lifetime, now](const Vector3& r) {
-        return least_square(gradient, r, now, lifetime);
+        return least_squared_distance(gradient, r, now, lifetime);
       });
   }
 
  private:
-  void note_gradient() {
+  void update_gradient() {
     gradient_ = box_.gradient();
     flows_along_x_ = gradient_.yy == 0.0 && gradient_.zz == 0.0 && gradient_.yz == 0.0;
   }
 
-  /// As seen from the origin, [length/time].
-  Vector3 velocity_of_middle() const { return box_.rates * Vector3{0.5, 0.5, 0.5}; }
+  /// Relative to the origin of the box, [length/time].
+  Vector3 centre_velocity() const { return box_.rates * Vector3{0.5, 0.5, 0.5}; }
 
-  static double least_square(const PeriodicBox::Edges& gradient, const Vector3& r, double now,
-                             double lifetime) {
+  static double least_squared_distance(const PeriodicBox::Edges& gradient, const Vector3& r,
+                                       double now, double lifetime) {
     constexpr double not_zero = std::numeric_limits<double>::min();
     const Vector3 u = gradient * r;
     const Vector3 first = r + now * u;
@@ -85,9 +87,9 @@ class BoxFlow {
     return dot(nearest, nearest);
   }
 
-  /// The same where places flow along x alone.
-  static double least_square_along_x(const PeriodicBox::Edges& gradient, const Vector3& r,
-                                     double now, double lifetime) {
+  /// The same for a flow along x.
+  static double least_squared_distance_along_x(const PeriodicBox::Edges& gradient, const Vector3& r,
+                                               double now, double lifetime) {
     const double speed = gradient.xx * r.x + gradient.xy * r.y + gradient.xz * r.z;
     const double first = r.x + now * speed, last = first + lifetime * speed;
     const double square = first * first, other = last * last;
@@ -99,7 +101,7 @@ class BoxFlow {
   double lifetime_ = never;
   bool flows_ = false;
   bool flows_along_x_ = false;
-  PeriodicBox::Edges gradient_;  // of the velocity by the place at time 0, [1/time]
+  PeriodicBox::Edges gradient_;  // velocity gradient in the position at time 0, [1/time]
 };
 
 }  // namespace cohesion::hard_sphere

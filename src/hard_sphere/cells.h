@@ -9,48 +9,47 @@
 
 namespace cohesion::hard_sphere {
 
-/// Points in cells, each with a body that it belongs to and how many boxes away from there the body
-/// is. All cells have the same room, and cells that follow each other lie side by side: so that
-/// many of them can be looked through in one loop. A place that is not taken is infinitely far
-/// away.
+/// Linked cells of points. Each point has a body and a periodic box relative to the body. All cells
+/// have the same capacity and are contiguous in memory, so that one loop searches a row of cells.
+/// Unused slots hold a point at a very large distance.
 class Cells {
  public:
-  using Folds = std::array<int, 3>;
+  using BoxOffset = std::array<int, 3>;
 
-  /// Empties all cells and sets their number and the room of each.
-  void reset(std::size_t cells, int room) {
-    room_ = room;
+  /// Empties all cells, and sets their number and capacity.
+  void reset(std::size_t cells, int capacity) {
+    capacity_ = capacity;
     sizes_.assign(cells, 0);
-    for (std::vector<double>* const k : {&x_, &y_, &z_}) k->assign(cells * room, nowhere);
-    bodies_.assign(cells * room, -1);
-    folds_.resize(cells * room);
+    for (std::vector<double>* const k : {&x_, &y_, &z_}) k->assign(cells * capacity, nowhere);
+    bodies_.assign(cells * capacity, -1);
+    box_offsets_.resize(cells * capacity);
   }
 
-  void add(int cell, const Vector3& point, int body, const Folds& folds) {
-    if (sizes_[cell] == room_) grow();
-    put(first(cell) + sizes_[cell]++, point, body, folds);
+  void add(int cell, const Vector3& point, int body, const BoxOffset& box_offset) {
+    if (sizes_[cell] == capacity_) grow();
+    put(first(cell) + sizes_[cell]++, point, body, box_offset);
   }
 
-  /// Takes out the point of a body at this place.
-  void remove(int cell, const Vector3& point, int body, const Folds& folds) {
+  /// Removes the point of a body.
+  void remove(int cell, const Vector3& point, int body, const BoxOffset& box_offset) {
     const std::size_t last = first(cell) + sizes_[cell] - 1;
-    put(find(cell, point, body, folds), {x_[last], y_[last], z_[last]}, bodies_[last],
-        folds_[last]);
+    put(find(cell, point, body, box_offset), {x_[last], y_[last], z_[last]}, bodies_[last],
+        box_offsets_[last]);
     put(last, {nowhere, nowhere, nowhere}, -1, {});
     sizes_[cell]--;
   }
 
-  /// Gives the body of a point at this place another number.
-  void renumber(int cell, const Vector3& point, int body, const Folds& folds, int number) {
-    bodies_[find(cell, point, body, folds)] = number;
+  /// Changes the number of the body of a point.
+  void renumber(int cell, const Vector3& point, int body, const BoxOffset& box_offset, int number) {
+    bodies_[find(cell, point, body, box_offset)] = number;
   }
 
-  /// Calls near(body, folds, square) for each point of `cells` cells from the first on for which
-  /// square_of(r), r from `from` to the point, is below `most`.
+  /// Calls near(body, box_offset, square) for each point of `cells` contiguous cells for which
+  /// square_of(r) is below `limit`; r is the vector from `from` to the point.
   template <class SquareOf, class Near>
-  void look_through(int first_cell, int cells, const Vector3& from, double most,
-                    const SquareOf& square_of, const Near& near) {
-    const std::size_t begin = first(first_cell), size = static_cast<std::size_t>(cells) * room_;
+  void for_each_near(int first_cell, int cells, const Vector3& from, double limit,
+                     const SquareOf& square_of, const Near& near) {
+    const std::size_t begin = first(first_cell), size = static_cast<std::size_t>(cells) * capacity_;
     if (size > squares_.size()) {
       squares_.resize(2 * size);
       near_.resize(2 * size);
@@ -64,55 +63,56 @@ class Cells {
     int count = 0;
     for (std::size_t n = 0; n < size; n++) {
       near_[count] = static_cast<int>(n);
-      count += squares[n] < most;
+      count += squares[n] < limit;
     }
     for (int k = 0; k < count; k++)
-      near(bodies_[begin + near_[k]], folds_[begin + near_[k]], squares[near_[k]]);
+      near(bodies_[begin + near_[k]], box_offsets_[begin + near_[k]], squares[near_[k]]);
   }
 
   double bytes() const {
     return static_cast<double>(sizes_.capacity() * sizeof(int) +
-                               x_.capacity() * (3 * sizeof(double) + sizeof(int) + sizeof(Folds)));
+                               x_.capacity() *
+                                   (3 * sizeof(double) + sizeof(int) + sizeof(BoxOffset)));
   }
 
  private:
-  // Its square is no number that overflows.
+  // Large, but its square does not overflow.
   static constexpr double nowhere = 1e100;
 
-  std::size_t first(int cell) const { return static_cast<std::size_t>(cell) * room_; }
+  std::size_t first(int cell) const { return static_cast<std::size_t>(cell) * capacity_; }
 
-  std::size_t find(int cell, const Vector3& point, int body, const Folds& folds) const {
+  std::size_t find(int cell, const Vector3& point, int body, const BoxOffset& box_offset) const {
     const std::size_t last = first(cell) + sizes_[cell] - 1;
     std::size_t n = first(cell);
-    while (n < last && !(bodies_[n] == body && folds_[n] == folds && x_[n] == point.x &&
+    while (n < last && !(bodies_[n] == body && box_offsets_[n] == box_offset && x_[n] == point.x &&
                          y_[n] == point.y && z_[n] == point.z))
       n++;
     return n;
   }
 
-  void put(std::size_t n, const Vector3& point, int body, const Folds& folds) {
+  void put(std::size_t n, const Vector3& point, int body, const BoxOffset& box_offset) {
     x_[n] = point.x, y_[n] = point.y, z_[n] = point.z;
     bodies_[n] = body;
-    folds_[n] = folds;
+    box_offsets_[n] = box_offset;
   }
 
-  /// Gives all cells more room.
+  /// Increases the capacity of all cells.
   void grow() {
     const Cells old = *this;
-    reset(old.sizes_.size(), old.room_ + 2 + old.room_ / 2);
+    reset(old.sizes_.size(), old.capacity_ + 2 + old.capacity_ / 2);
     for (std::size_t cell = 0; cell < old.sizes_.size(); cell++)
       for (int k = 0; k < old.sizes_[cell]; k++) {
-        const std::size_t n = cell * old.room_ + k;
+        const std::size_t n = cell * old.capacity_ + k;
         add(static_cast<int>(cell), {old.x_[n], old.y_[n], old.z_[n]}, old.bodies_[n],
-            old.folds_[n]);
+            old.box_offsets_[n]);
       }
   }
 
-  int room_ = 1;
+  int capacity_ = 1;
   std::vector<int> sizes_;
   std::vector<double> x_, y_, z_;
   std::vector<int> bodies_;
-  std::vector<Folds> folds_;
+  std::vector<BoxOffset> box_offsets_;
   std::vector<double> squares_;
   std::vector<int> near_;
 };

@@ -8,22 +8,22 @@
 #include "hard_sphere/impact.h"
 #include "vector3.h"
 
-/// When two bodies in free flight meet the next surface: the roots of |r + w t| = S, B. J. Alder,
-/// T. E. Wainwright, J. Chem. Phys. 31 (1959) 459.
+/// Time at which two bodies in free flight reach the next surface: the roots of |r + w t| = S:
+/// B. J. Alder, T. E. Wainwright, J. Chem. Phys. 31 (1959) 459.
 ///
-/// The state decides which surface that can be, not the distance alone: a flag says whether the
-/// pair is in its well, the sign of b = r.w whether it closes in. So round-off at a surface that
-/// was just crossed can neither cross it a second time nor miss it: a pair past its surface and
-/// still moving the wrong way meets it now. Idea: Bannerman et al., Comput. Part. Mech. 1 (2014)
-/// 191.
+/// The state of the pair decides which surface that can be, not the distance alone: a flag stores
+/// whether the pair is in its well, and the sign of b = r.w whether it approaches. So round-off at
+/// a surface that was just crossed can neither repeat the crossing nor skip the next one: a pair
+/// beyond a surface that still moves the wrong way crosses it now. Method: Bannerman et al.,
+/// Comput. Part. Mech. 1 (2014) 191.
 namespace cohesion::hard_sphere {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Distances of centres (of a centre to a wall) at which something happens, [length].
-struct Surfaces {
-  double core;  ///< hard core
-  double edge;  ///< of the well; not above core: there is no well
+/// Distances between centres, or between a centre and a wall, at which events occur, [length].
+struct SurfaceDistances {
+  double core;  ///< of the hard core
+  double edge;  ///< of the well; not above core: no well
   bool has_well() const { return edge > core; }
 };
 
@@ -32,7 +32,7 @@ struct Crossing {
   Surface surface = Surface::core;
 };
 
-/// Time until |r + w t| has fallen to S, [time]: b = r.w, ww = w.w, c = r.r - S^2.
+/// Time until |r + w t| has decreased to S, [time]; b = r.w, ww = w.w, c = r.r - S^2.
 inline double time_to_fall(double b, double ww, double c) {
   if (b >= 0.0) return never;
   if (c <= 0.0) return 0.0;
@@ -40,7 +40,7 @@ inline double time_to_fall(double b, double ww, double c) {
   return discriminant < 0.0 ? never : c / (std::sqrt(discriminant) - b);
 }
 
-/// Time until |r + w t| has risen to S from inside, [time].
+/// Time until |r + w t| has increased to S from inside, [time].
 inline double time_to_rise(double b, double ww, double c) {
   if (ww == 0.0) return never;
   if (b >= 0.0 && c >= 0.0) return b > 0.0 ? 0.0 : never;
@@ -49,17 +49,17 @@ inline double time_to_rise(double b, double ww, double c) {
 }
 
 /// Whether the normal speed of a pair, b = r.w, is round-off of its velocities, vv = max(v_i.v_i,
-/// v_j.v_j). An impulse that small changes no digit of them: the pair would have its event again at
-/// once, for ever. Such a pair counts as neither approaching nor parting; it moves by less than
-/// 1e-15 of its flight.
+/// v_j.v_j). Such a small impulse would leave the velocities unchanged, and the pair would repeat
+/// its event for ever. The pair is treated as neither approaching nor separating; it moves by less
+/// than 1e-15 of its flight.
 inline bool normal_speed_is_round_off(double b, double rr, double vv) {
   return b * b <= 1e-30 * rr * vv;
 }
 
-/// Time until |r + w t| has risen to the edge S of a well, [time], with c = r.r - S^2, rr = r.r. A
-/// pair that is on the edge or beyond it and in its well, by round-off, leaves now where it parts.
-/// Where it does not, or so slowly that an impulse changes no digit, it leaves as soon as it parts:
-/// else it would fly on along the edge and away from it.
+/// Time until |r + w t| has increased to the edge S of a well, [time]; c = r.r - S^2, rr = r.r. A
+/// bound pair that round-off has put on or beyond the edge leaves now if it separates. If it does
+/// not separate, or too slowly for an impulse to change its velocities, it leaves as soon as it
+/// does: otherwise it would move along the edge and away from it.
 inline double time_to_leave(double b, double ww, double rr, double vv, double c) {
   constexpr double above_round_off = 1.5e-15;
   const double least = above_round_off * std::sqrt(rr * vv);
@@ -68,22 +68,24 @@ inline double time_to_leave(double b, double ww, double rr, double vv, double c)
   return (std::max(std::sqrt(std::max(b * b - ww * c, 0.0)), least) - b) / ww;
 }
 
-/// Whether a pair may meet a surface within the time `left`: a test without roots, with b, ww, rr
-/// as above; no means no. What falls needs (r^2 - S^2)/(-2 b) at least, since it gets no faster;
-/// what is inside the edge then has not crossed it before. The surfaces may be off by 1e-7 of them.
-inline bool may_meet_within(double left, double b, double ww, double rr, const Surfaces& surfaces,
-                            bool inside) {
-  constexpr double room = 1.0 + 1e-6, for_long = 1e100;
-  left = left < for_long ? left : for_long;
+/// Whether a pair may reach a surface within the time `left`: a conservative test without roots; b,
+/// ww, rr as above. False means that there is no crossing. A decrease to S needs at least (r^2 -
+/// S^2)/(-2 b), since the approach never accelerates; a pair that is inside the edge at that time
+/// has not crossed it before. The surfaces may have a relative error of 1e-7.
+inline bool may_cross_within(double left, double b, double ww, double rr,
+                             const SurfaceDistances& surfaces, bool inside) {
+  constexpr double tolerance = 1.0 + 1e-6, long_time = 1e100;
+  left = left < long_time ? left : long_time;
   const double inner = inside ? surfaces.core : surfaces.edge;
-  const bool falls = (b < 0.0) & (rr - room * inner * inner <= -2.0 * room * b * left);
-  const bool rises = room * (rr + left * (2.0 * b + left * ww)) >= surfaces.edge * surfaces.edge;
+  const bool falls = (b < 0.0) & (rr - tolerance * inner * inner <= -2.0 * tolerance * b * left);
+  const bool rises =
+      tolerance * (rr + left * (2.0 * b + left * ww)) >= surfaces.edge * surfaces.edge;
   return falls | (inside & rises);
 }
 
-/// The next surface that two spheres meet, with r = x_j - x_i now, w = v_j - v_i, and vv as above.
+/// The next surface that two spheres reach; r = x_j - x_i now, w = v_j - v_i, vv as above.
 inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv,
-                              const Surfaces& surfaces, bool inside) {
+                              const SurfaceDistances& surfaces, bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
   if (!inside && b >= 0.0) return {};
   const bool entering = !inside && surfaces.has_well();

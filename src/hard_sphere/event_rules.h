@@ -8,76 +8,83 @@
 
 namespace cohesion::hard_sphere {
 
-/// The rules of a run: those against inelastic collapse, and limits.
+/// The rule of rest, the rules against inelastic collapse, and the limit of events.
 ///
-/// The rule of rest: a collision that takes energy parts its partners along the line of centres
-/// with a least speed. It is the larger one of two.
+/// The rule of rest: in a dissipative collision the partners separate along the line of centres
+/// with a least speed, the larger of two.
 ///
 /// 1. Where other forces press particles together, in steps of the engine:
 ///
-///   G = C a dt sqrt(n)            a dt: kick, the change of velocity by other forces in this step
-///                                 n: collisions of the particle in this step before this one
+///   G = C a dt sqrt(n)            a dt: velocity change by other forces in this step
+///                                 n: previous collisions of the particle in this step
 ///
-/// by the particle for which that is more, whatever energy it takes. So what comes to rest goes on
-/// with an agitation that a step of its weight gives it anyway, and a contact that hands on the
-/// momentum F dt in a step has at most
+/// for the particle with the larger value, even if that adds kinetic energy. So particles that come
+/// to rest keep an agitation of the order of the velocity change per step. A contact that transmits
+/// the momentum F dt in a step has at most
 ///
 ///   N = 1 + (3 F/(2 C m a))^(2/3)
 ///
 /// collisions in it, m the reduced mass: the k-th has an impulse of at least m C a dt sqrt(k - 1).
 ///
-/// The force F on a contact of a bed need not be that of the weight above it: a row of spheres that
-/// just fits between two walls is pressed flat with a force that has no bound. With a constant G N
-/// grows as F; with one that grows as n what is shut in a narrow place is driven faster and faster
-/// within the step. As sqrt(n) speeds stay: in a place with the room s there are at most
-/// (C a dt^2/(2 s))^2 collisions.
+/// The force F on a contact of a bed is not bounded by the weight above it: a row of spheres that
+/// just fits between two walls is pressed flat by an unbounded force. If G were constant, N would
+/// grow as F. If G grew as n, particles in a narrow gap would accelerate without bound within the
+/// step. With sqrt(n) the speeds stay bounded: in a gap with the clearance s there are at most
 ///
-/// 2. Where wells press particles together, whatever the step:
+///   N = (C a dt^2/(2 s))^2
+///
+/// collisions.
+///
+/// 2. Where wells press particles together, independent of the step:
 ///
 ///   K = 1e-3 C sqrt(2 D/m) sqrt(max(n, 1))        D: depth of the well
 ///
-/// as far as the collision has the energy: it never gives any. A cluster that turns presses on
-/// some of its cores, by captures at the edges of wells: three spheres that turn about an axis in
-/// their plane pull two of them together. The cores take energy, the edges give none back, and the
-/// speeds of all would tend to 0, the number of events to infinity, in a finite time. A collision
-/// whose energy along the line of centres is below 1e-6 C^2 D is elastic instead, and a cluster
-/// that turns with the speed v has some v/K events, per contact, in the time of a turn.
+/// as far as that adds no kinetic energy. Captures at the edges of wells press some cores of a
+/// rotating cluster together: three spheres that rotate about an axis in their plane pull two of
+/// them together. The cores dissipate energy, the edges return none, and without the rule all
+/// speeds would tend to 0 and the number of events to infinity, in a finite time. With the rule a
+/// collision whose energy along the line of centres is below 1e-6 C^2 D is elastic. A cluster that
+/// rotates with the speed v has some v/K events per contact and revolution.
 ///
-/// At the edge a capture brings the pair back within it by at least 1e-6 C^2 of the width of the
-/// well, or with K where that is less: the relative velocity is turned inwards. Its size is kept,
-/// and so are energy and momentum; a turn changes the angular momentum of the pair by the fraction
+/// At the edge a capture returns the pair by at least 1e-6 C^2 of the width of the well, or with K
+/// if that is slower: the relative velocity is rotated inwards. Its magnitude is conserved, and so
+/// are energy and momentum. A rotation changes the angular momentum of the pair by the fraction
 /// 1e-6 C^2 of the width over the distance.
 struct EventRules {
-  int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
-  double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
-  double rest = 1.0;          ///< C of the rule of rest, [1]; 0: off
-  int limit = 100000;         ///< events of a particle in a step before the step is given up
+  /// Collisions of a particle in a step before further ones are elastic; 0: off.
+  int collapse_limit = 100;
+  /// A collision sooner after the previous one of a particle is elastic, [time].
+  double contact_time = 0.0;
+  double rest_factor = 1.0;  ///< C of the rule of rest, [1]; 0: off
+  int event_limit = 100000;  ///< events of a particle in a step before the run stops
 
-  /// Whether the rules against inelastic collapse make a collision elastic that a body has at
-  /// `time`, with what it has done before in the step.
-  bool make_elastic(const Course& course, double time) const {
-    return (collapse > 0 && course.collisions >= collapse) ||
-           time - course.last_collision < contact_time;
+  /// Whether the rules against inelastic collapse make a collision of a body at `time` elastic.
+  bool is_made_elastic(const EventState& event_state, double time) const {
+    return (collapse_limit > 0 && event_state.collisions >= collapse_limit) ||
+           time - event_state.last_collision < contact_time;
   }
 
-  /// G of a body, [length/time].
-  double speed_of_kick(double kick, const Course& course) const {
-    return rest * kick * std::sqrt(static_cast<double>(course.collisions));
+  /// G of a body, [length/time]. speed_increment: a dt.
+  double energy_adding_speed(double speed_increment, const EventState& event_state) const {
+    return rest_factor * speed_increment * std::sqrt(static_cast<double>(event_state.collisions));
   }
   /// K in a well, [length/time]. inverse_mass: 1/m; collisions: n.
-  double speed_in_well(double depth, double inverse_mass, int collisions) const {
+  double energy_limited_speed(double depth, double inverse_mass, int collisions) const {
     const double n = std::max(collisions, 1);
-    return rest * part_of_fall * std::sqrt(2.0 * depth * inverse_mass * n);
+    return rest_factor * fall_speed_fraction * std::sqrt(2.0 * depth * inverse_mass * n);
   }
-  /// The speed along the line of centres with which a chord of a pair of relative speed w goes back
-  /// within the edge by 1e-6 C^2 of the width of the well, [length/time].
-  double speed_at_edge(double w, const Surfaces& at) const {
-    return rest * part_of_width * w * std::sqrt(2.0 * (at.edge - at.core) / at.edge);
+  /// Least speed along the line of centres, [length/time], with which a chord of a pair of relative
+  /// speed w returns within the edge by 1e-6 C^2 of the width of the well.
+  double inward_speed_at_edge(double w, const SurfaceDistances& surfaces) const {
+    return rest_factor * width_fraction_root * w *
+           std::sqrt(2.0 * (surfaces.edge - surfaces.core) / surfaces.edge);
   }
 
  private:
-  static constexpr double part_of_width = 1e-3;  // root of the part of the width, for C = 1
-  static constexpr double part_of_fall = 1e-3;   // K over the speed of a fall, for C = n = 1
+  /// Square root of the fraction of the width, for C = 1.
+  static constexpr double width_fraction_root = 1e-3;
+  /// K over the speed of a fall into the well, for C = n = 1.
+  static constexpr double fall_speed_fraction = 1e-3;
 };
 
 }  // namespace cohesion::hard_sphere

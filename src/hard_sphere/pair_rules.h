@@ -6,103 +6,116 @@
 #include <vector>
 
 #include "hard_sphere/bodies.h"
-#include "hard_sphere/contact_parameters.h"
+#include "hard_sphere/hard_contact_parameters.h"
 
 namespace cohesion::hard_sphere {
 
-/// What happens between bodies of each two kinds, and between which of them nothing does.
+/// Parameters of the impacts for each pair of materials, and the pairs that do not interact.
 class PairRules {
  public:
-  explicit PairRules(int kinds = 1)
-      : kinds_(kinds), of_kinds_(kinds * kinds), shallowest_(kinds, never) {}
+  explicit PairRules(int materials = 1)
+      : materials_(materials),
+        material_pairs_(materials * materials),
+        least_well_depths_(materials, never) {}
 
-  /// Sets what happens between kinds i and j; the ratios of the well are those of i and j.
-  void set(int i, int j, const ContactParameters& given) {
-    at(i, j) = {given, given.law(), true};
-    at(j, i) = {given, given.law(), true};
-    at(j, i).given.well = square_well::reversed(given.well);
-    if (given.well.depth == 0.0) return;
-    for (const int kind : {i, j}) shallowest_[kind] = std::min(shallowest_[kind], given.well.depth);
+  /// Sets the parameters of materials i and j; the ratios of the well are those of i and j.
+  void set(int i, int j, const HardContactParameters& parameters) {
+    material_pair(i, j) = {parameters, parameters.law(), true};
+    material_pair(j, i) = {parameters, parameters.law(), true};
+    material_pair(j, i).parameters.well = square_well::reversed(parameters.well);
+    if (parameters.well.depth == 0.0) return;
+    for (const int material : {i, j})
+      least_well_depths_[material] = std::min(least_well_depths_[material], parameters.well.depth);
   }
-  /// Kinds that pass through each other.
-  void forbid(int i, int j) { at(i, j).meet = at(j, i).meet = false; }
-  /// Bodies of two groups that pass through each other, by a bit of each group.
-  void forbid_groups(int bit_a, int bit_b) { apart_.emplace_back(bit_a, bit_b); }
+  /// Excludes impacts between two materials.
+  void exclude(int i, int j) {
+    material_pair(i, j).interacts = material_pair(j, i).interacts = false;
+  }
+  /// Excludes impacts between bodies of two groups, by a bit of each group.
+  void exclude_groups(int bit_a, int bit_b) { excluded_groups_.emplace_back(bit_a, bit_b); }
 
-  /// Pairs that pass through each other, in order, the lower tag first.
-  void forbid_pairs(std::vector<Tags> pairs) { pairs_apart_ = std::move(pairs); }
+  /// Excludes impacts of pairs of bodies. The list is sorted, with the lower tag first in each
+  /// pair.
+  void exclude_pairs(std::vector<TagPair> pairs) { excluded_pairs_ = std::move(pairs); }
 
-  const Law& law(const Body& a, const Body& b) const { return at(a.kind, b.kind).law; }
+  const ImpactLaw& law(const HardSphere& a, const HardSphere& b) const {
+    return material_pair(a.material, b.material).law;
+  }
 
-  Surfaces surfaces(const Body& a, const Body& b) const {
-    const OfKinds& rule = at(a.kind, b.kind);
+  SurfaceDistances surfaces(const HardSphere& a, const HardSphere& b) const {
+    const MaterialPair& contact = material_pair(a.material, b.material);
     const double core = a.radius + b.radius;
-    if (rule.law.depth == 0.0) return {core, core};
-    return {core, square_well::edge(rule.given.well, a.radius, b.radius)};
+    if (contact.law.depth == 0.0) return {core, core};
+    return {core, square_well::edge(contact.parameters.well, a.radius, b.radius)};
   }
 
-  /// The least depth of the wells that a body has with others, [energy]; `never`: it has none.
-  double shallowest_well(const Body& a) const { return shallowest_[a.kind]; }
+  /// The least depth of the wells of a body with others, [energy]; `never`: no wells.
+  double least_well_depth(const HardSphere& a) const { return least_well_depths_[a.material]; }
 
-  /// Whether two bodies can have an event with each other, and this process has to know of it.
-  bool meet(const Body& a, const Body& b) const {
-    if (!at(a.kind, b.kind).meet || (a.remote && b.remote) ||
+  /// Whether two bodies can have events with each other that this process has to execute.
+  bool interact(const HardSphere& a, const HardSphere& b) const {
+    if (!material_pair(a.material, b.material).interacts || (a.remote && b.remote) ||
         a.inverse_mass + b.inverse_mass == 0.0)
       return false;
-    if (!pairs_apart_.empty() &&
-        std::binary_search(pairs_apart_.begin(), pairs_apart_.end(),
-                           Tags{std::min(a.tag, b.tag), std::max(a.tag, b.tag)}))
+    if (!excluded_pairs_.empty() &&
+        std::binary_search(excluded_pairs_.begin(), excluded_pairs_.end(),
+                           TagPair{std::min(a.tag, b.tag), std::max(a.tag, b.tag)}))
       return false;
-    return std::none_of(apart_.begin(), apart_.end(), [&](const std::pair<int, int>& bits) {
-      return (a.groups & bits.first && b.groups & bits.second) ||
-             (a.groups & bits.second && b.groups & bits.first);
-    });
+    return std::none_of(excluded_groups_.begin(), excluded_groups_.end(),
+                        [&](const std::pair<int, int>& bits) {
+                          return (a.group_bits & bits.first && b.group_bits & bits.second) ||
+                                 (a.group_bits & bits.second && b.group_bits & bits.first);
+                        });
   }
 
-  /// The largest distance of centres at which something happens over the sum of the radii, [1].
+  /// The largest ratio of a surface distance to the sum of the radii, [1].
   double largest_ratio() const {
     double largest = 1.0;
-    for (const OfKinds& rule : of_kinds_)
-      if (rule.law.depth > 0.0) largest = std::max(largest, rule.given.well.ratio_i);
+    for (const MaterialPair& contact : material_pairs_)
+      if (contact.law.depth > 0.0) largest = std::max(largest, contact.parameters.well.ratio_i);
     return largest;
   }
 
  private:
-  struct OfKinds {
-    ContactParameters given;
-    Law law;
-    bool meet = true;
+  struct MaterialPair {
+    HardContactParameters parameters;
+    ImpactLaw law;
+    bool interacts = true;
   };
 
-  OfKinds& at(int i, int j) { return of_kinds_[i * kinds_ + j]; }
-  const OfKinds& at(int i, int j) const { return of_kinds_[i * kinds_ + j]; }
+  MaterialPair& material_pair(int i, int j) { return material_pairs_[i * materials_ + j]; }
+  const MaterialPair& material_pair(int i, int j) const {
+    return material_pairs_[i * materials_ + j];
+  }
 
-  int kinds_;
-  std::vector<OfKinds> of_kinds_;
-  std::vector<double> shallowest_;  // by kind
-  std::vector<std::pair<int, int> > apart_;
-  std::vector<Tags> pairs_apart_;
+  int materials_;
+  std::vector<MaterialPair> material_pairs_;
+  std::vector<double> least_well_depths_;  // by material
+  std::vector<std::pair<int, int> > excluded_groups_;
+  std::vector<TagPair> excluded_pairs_;
 };
 
-/// A wall in uniform motion, and what happens between it and bodies of each kind.
+/// A wall in uniform motion with the parameters of its impacts for each material.
 struct HardWall {
-  struct Rule {
-    Law law;
-    double ratio = 1.0;  ///< of the edge of its well to the radius of a body, [1]
+  struct WallContact {
+    ImpactLaw law;
+    double ratio = 1.0;  ///< of the edge of the well to the radius of a body, [1]
   };
 
-  MovingWall moving;
-  std::vector<Rule> of_kind;
-  int groups = -1;     ///< bits of the groups that it acts on
-  bool moves = false;  ///< not always at the same place
+  MovingWall motion;
+  std::vector<WallContact> by_material;
+  int group_bits = -1;  ///< bit mask of the groups that the wall acts on
+  bool moves = false;   ///< whether its position changes
 
-  const Law& law(const Body& a) const { return of_kind[a.kind].law; }
-  Surfaces surfaces(const Body& a) const {
-    const Rule& rule = of_kind[a.kind];
-    return {a.radius, rule.law.depth > 0.0 ? rule.ratio * a.radius : a.radius};
+  const ImpactLaw& law(const HardSphere& a) const { return by_material[a.material].law; }
+  SurfaceDistances surfaces(const HardSphere& a) const {
+    const WallContact& contact = by_material[a.material];
+    return {a.radius, contact.law.depth > 0.0 ? contact.ratio * a.radius : a.radius};
   }
-  bool acts_on(const Body& a) const { return (a.groups & groups) != 0; }
-  bool meets(const Body& a) const { return acts_on(a) && a.inverse_mass > 0.0 && !a.remote; }
+  bool acts_on(const HardSphere& a) const { return (a.group_bits & group_bits) != 0; }
+  bool interacts_with(const HardSphere& a) const {
+    return acts_on(a) && a.inverse_mass > 0.0 && !a.remote;
+  }
 };
 
 }  // namespace cohesion::hard_sphere

@@ -3,27 +3,26 @@
 
 #include <cstdint>
 
+#include "hard_sphere/body_renumbering.h"
 #include "hard_sphere/crossing.h"
-#include "hard_sphere/renumbering.h"
 
 namespace cohesion::hard_sphere {
 
-/// What will happen between a body and a partner unless one of them changes its flight before.
+/// Event of a body with a partner, valid unless one of both changes its flight before.
 struct PredictedEvent {
   double time;            ///< [time]
   int partner;            ///< body, or -1 - number of the wall
-  std::uint32_t version;  ///< of the partner's flight that this is true for
+  std::uint32_t version;  ///< of the flight of the partner at the prediction
   int image;              ///< of the partner
   Surface surface;
 };
 
-/// The next events of a body, in order of time: all that come before the horizon. At the horizon
-/// they have to be predicted anew. Event lists of M. N. Bannerman et al., J.
-/// Comput. Chem. 32 (2011) 3329: to keep more than the first saves most of the predictions that a
-/// change of the partner would ask for.
+/// The next events of a body in order of time: all before the horizon. At the horizon they have to
+/// be predicted again. Event lists: M. N. Bannerman et al., J. Comput. Chem. 32 (2011) 3329.
+/// Keeping several events avoids most of the predictions after a change of the partner.
 class alignas(64) PredictedEvents {
  public:
-  void begin(double horizon) {
+  void reset(double horizon) {
     horizon_ = horizon;
     count_ = 0;
   }
@@ -34,18 +33,18 @@ class alignas(64) PredictedEvents {
   double next_time() const { return count_ > 0 ? events_[0].time : horizon_; }
 
   /// Whether all partners keep their numbers.
-  bool keep_partners(const Renumbering& to) const {
+  bool keeps_partners(const BodyRenumbering& renumbering) const {
     for (int n = 0; n < count_; n++)
-      if (events_[n].partner >= 0 && !to.keeps(events_[n].partner)) return false;
+      if (events_[n].partner >= 0 && !renumbering.is_unchanged(events_[n].partner)) return false;
     return true;
   }
 
-  /// Gives partners other numbers; false: one is gone.
-  bool renumber(const Renumbering& to) {
+  /// Renumbers partners. Returns false if one has been removed.
+  bool renumber(const BodyRenumbering& renumbering) {
     for (int n = 0; n < count_; n++) {
       int& partner = events_[n].partner;
       if (partner < 0) continue;
-      partner = to.now(partner);
+      partner = renumbering.new_number(partner);
       if (partner < 0) return false;
     }
     return true;
@@ -56,33 +55,33 @@ class alignas(64) PredictedEvents {
     for (int n = 0; n < count_; n++) events_[n] = events_[n + 1];
   }
 
-  /// Adds an event. `before(a, b)`: whether event a comes before event b of the same time.
+  /// Adds an event. before(a, b): whether event a precedes event b of the same time.
   template <class Before>
   void add(const PredictedEvent& event, const Before& before) {
     if (event.time > horizon_) return;
-    int at = count_;
-    while (at > 0 && (event.time < events_[at - 1].time ||
-                      (event.time == events_[at - 1].time && before(event, events_[at - 1]))))
-      at--;
-    if (count_ == room) {
-      // What finds no room is the horizon.
-      horizon_ = at == room ? event.time : events_[room - 1].time;
-      if (at == room) return;
+    int slot = count_;
+    while (slot > 0 && (event.time < events_[slot - 1].time ||
+                        (event.time == events_[slot - 1].time && before(event, events_[slot - 1]))))
+      slot--;
+    if (count_ == capacity) {
+      // The earliest event beyond the capacity becomes the horizon.
+      horizon_ = slot == capacity ? event.time : events_[capacity - 1].time;
+      if (slot == capacity) return;
       count_--;
     } else if (event.time == horizon_) {
       return;
     }
-    for (int n = count_; n > at; n--) events_[n] = events_[n - 1];
-    events_[at] = event;
+    for (int n = count_; n > slot; n--) events_[n] = events_[n - 1];
+    events_[slot] = event;
     count_++;
   }
 
  private:
-  static constexpr int room = 4;
+  static constexpr int capacity = 4;
 
   double horizon_ = never;
   int count_ = 0;
-  PredictedEvent events_[room];
+  PredictedEvent events_[capacity];
 };
 
 }  // namespace cohesion::hard_sphere

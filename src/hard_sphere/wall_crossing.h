@@ -12,8 +12,8 @@ using contact_solver::WallState;
 /// A wall in uniform motion.
 struct MovingWall {
   Wall wall;
-  WallState state;         ///< its displacement at the time `when`, and its velocity
-  double rim_speed = 0.0;  ///< of a turning cylinder, [length/time]
+  WallState state;         ///< velocity, and displacement at the time `when`
+  double rim_speed = 0.0;  ///< surface speed of a rotating cylinder, [length/time]
   double when = 0.0;       ///< [time]
 
   WallState at(double time) const {
@@ -21,8 +21,9 @@ struct MovingWall {
   }
 };
 
-/// The next surface that a centre at h over a plane, moving with dh/dt = u, meets.
-inline Crossing next_crossing_of_plane(double h, double u, const Surfaces& surfaces, bool inside) {
+/// The next surface that a centre at the height h above a plane reaches; u = dh/dt.
+inline Crossing next_crossing_of_plane(double h, double u, const SurfaceDistances& surfaces,
+                                       bool inside) {
   if (u == 0.0 || (u > 0.0 && !inside)) return {};
   if (u > 0.0) return {h >= surfaces.edge ? 0.0 : (surfaces.edge - h) / u, Surface::edge_outward};
   const bool core = inside || !surfaces.has_well();
@@ -30,25 +31,25 @@ inline Crossing next_crossing_of_plane(double h, double u, const Surfaces& surfa
   return {h <= surface ? 0.0 : (surface - h) / u, core ? Surface::core : Surface::edge_inward};
 }
 
-/// The same inside a cylinder of radius R, with r and w across the axis. The particle leaves the
-/// well of the wall where its distance from the axis falls to R - edge.
+/// The same inside a cylinder of radius R; r and w are the components across the axis. The particle
+/// leaves the well of the wall where its distance from the axis decreases to R - edge.
 inline Crossing next_crossing_of_cylinder(const Vector3& r, const Vector3& w, double radius,
-                                          const Surfaces& surfaces, bool inside) {
+                                          const SurfaceDistances& surfaces, bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
   const auto c = [&](double gap) { return rr - (radius - gap) * (radius - gap); };
   if (!inside && surfaces.has_well())
     return {time_to_rise(b, ww, c(surfaces.edge)), Surface::edge_inward};
   const double leave = inside ? time_to_fall(b, ww, c(surfaces.edge)) : never;
   if (leave < never) return {leave, Surface::edge_outward};
-  // A wall curves towards a particle that runs along it.
+  // A concave wall meets a particle that moves along it.
   if (b == 0.0 && ww > 0.0 && c(surfaces.core) >= 0.0) return {0.0, Surface::core};
   return {time_to_rise(b, ww, c(surfaces.core)), Surface::core};
 }
 
-/// The next surface of a wall that a centre meets which is at x at the time `when` and has the
-/// velocity v.
+/// The next surface of a wall that a centre reaches which has the position x at the time `when` and
+/// the velocity v.
 inline Crossing next_crossing(const MovingWall& wall, const Vector3& x, const Vector3& v,
-                              double when, const Surfaces& surfaces, bool inside) {
+                              double when, const SurfaceDistances& surfaces, bool inside) {
   if (wall.wall.shape == Wall::z_cylinder)
     return next_crossing_of_cylinder({x.x, x.y, 0.0}, {v.x, v.y, 0.0}, wall.wall.position, surfaces,
                                      inside);

@@ -96,28 +96,28 @@ class HardSphereFluid {
   void collide(double each) {
     using namespace hard_sphere;
     EventSimulation simulation;
-    simulation.pairs.set(0, 0, ContactParameters{});
-    simulation.rules.collapse = 0;
-    simulation.rules.limit = most_events;
+    simulation.pairs.set(0, 0, HardContactParameters{});
+    simulation.rules.collapse_limit = 0;
+    simulation.rules.event_limit = most_events;
     for (int i = 0; i < count(); i++) {
-      Body body;
+      HardSphere body;
       body.tag = i + 1;
       body.radius = size_ * radii_[i];
       body.inverse_mass = 1.0 / (radii_[i] * radii_[i] * radii_[i]);
       body.inverse_inertia = 2.5 * body.inverse_mass / (body.radius * body.radius);
-      Flight flight;
-      flight.place = places_[i];
+      VersionedFlight flight;
+      flight.position = places_[i];
       // Of the same energy in the mean, in a cube of velocities.
       const double speed = std::sqrt(body.inverse_mass);
       flight.velocity = 2.0 * speed * Vector3{uniform() - 0.5, uniform() - 0.5, uniform() - 0.5};
       simulation.bodies.push_back(body);
       simulation.flights.push_back(flight);
     }
-    simulation.neighbourhoods().bodies_of_box = count();
+    simulation.neighbour_lists().bodies_in_box = count();
     PeriodicBox box;
     box.edges.xx = box.edges.yy = box.edges.zz = 1.0;
     box.periodic = {true, true, true};
-    simulation.start_clock(box);
+    simulation.reset_time(box);
     simulation.set_up(never, {});
     const double time = 1.0 / fastest(simulation);
     for (double collisions = 0.0; collisions < 0.5 * each * count();) {
@@ -136,7 +136,7 @@ class HardSphereFluid {
 
   static double fastest(const hard_sphere::EventSimulation& simulation) {
     double squares = 0.0;
-    for (const hard_sphere::Flight& flight : simulation.flights)
+    for (const hard_sphere::VersionedFlight& flight : simulation.flights)
       squares = std::max(squares, dot(flight.velocity, flight.velocity));
     return std::sqrt(squares);
   }

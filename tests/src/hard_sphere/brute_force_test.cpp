@@ -13,8 +13,8 @@
 #include "hard_sphere/event_simulation.h"
 #include "hard_sphere/gas_of_spheres.h"
 
-// The simulation against one that has no lists and keeps no predictions: before each event it looks
-// for the first crossing of all pairs, images and walls.
+// Comparison with a simulation without lists and stored predictions: before each event it searches
+// all pairs, images and walls for the first crossing.
 namespace {
 
 using namespace cohesion::hard_sphere;
@@ -30,17 +30,17 @@ class BruteForce {
         walls_(simulation.walls) {
     for (int i = 0; i < count(); i++) {
       for (const int j : with_higher_tags(i))
-        for_each_image(box_, 0.0, flights[j].place - flights[i].place, 1,
+        for_each_image(box_, 0.0, flights[j].position - flights[i].position, 1,
                        [&](const Vector3& boxes, const Vector3& r) {
-                         const Surfaces surfaces = pairs_.surfaces(bodies_[i], bodies_[j]);
+                         const SurfaceDistances surfaces = pairs_.surfaces(bodies_[i], bodies_[j]);
                          if (surfaces.has_well() && norm(r) < surfaces.edge)
                            inside_[key(i, j, boxes)] = true;
                        });
       for (int w = 0; w < static_cast<int>(walls_.size()); w++) {
-        const Surfaces surfaces = walls_[w].surfaces(bodies_[i]);
-        const MovingWall& wall = walls_[w].moving;
+        const SurfaceDistances surfaces = walls_[w].surfaces(bodies_[i]);
+        const MovingWall& wall = walls_[w].motion;
         if (surfaces.has_well() &&
-            wall.wall.nearest(flights[i].place, wall.at(0.0), 0.0).distance < surfaces.edge)
+            wall.wall.nearest(flights[i].position, wall.at(0.0), 0.0).distance < surfaces.edge)
           inside_[key(i, -1 - w, {})] = true;
       }
     }
@@ -52,11 +52,11 @@ class BruteForce {
     for (int i = 0; i < count(); i++) {
       for (const int j : with_higher_tags(i)) {
         if (bodies_[i].inverse_mass + bodies_[j].inverse_mass == 0.0) continue;
-        // Who is nearer than two boxes now has come first before those farther away have come.
+        // Images within two boxes now come first, before those that are farther away now.
         for_each_image(box_, time_, flights[j].at(time_) - flights[i].at(time_), 1,
-                       [&](const Vector3& boxes, const Vector3&) { look_at(i, j, boxes, next); });
+                       [&](const Vector3& boxes, const Vector3&) { test_pair(i, j, boxes, next); });
       }
-      for (int w = 0; w < static_cast<int>(walls_.size()); w++) look_at_wall(i, w, next);
+      for (int w = 0; w < static_cast<int>(walls_.size()); w++) test_wall(i, w, next);
     }
     return execute(next);
   }
@@ -95,12 +95,12 @@ class BruteForce {
   }
 
   int depth(int i, double time) const {
-    return flights[i].since == time ? bodies_[i].course.causal_depth : -1;
+    return flights[i].start_time == time ? bodies_[i].event_state.causal_depth : -1;
   }
 
-  void look_at(int i, int j, const Vector3& boxes, Next& next) const {
-    const Flight &a = flights[i], &b = flights[j];
-    const double now = std::max(a.since, b.since);
+  void test_pair(int i, int j, const Vector3& boxes, Next& next) const {
+    const VersionedFlight &a = flights[i], &b = flights[j];
+    const double now = std::max(a.start_time, b.start_time);
     const auto [r, w] = relative_motion(i, j, boxes, now);
     const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
     const Crossing crossing = next_crossing(r, w, vv, pairs_.surfaces(bodies_[i], bodies_[j]),
@@ -111,20 +111,20 @@ class BruteForce {
     if (time < never && key < next.key) next = {key, i, j, boxes, crossing.surface};
   }
 
-  void look_at_wall(int i, int w, Next& next) const {
-    const Flight& a = flights[i];
+  void test_wall(int i, int w, Next& next) const {
+    const VersionedFlight& a = flights[i];
     if (bodies_[i].inverse_mass == 0.0) return;
     const Crossing crossing =
-        next_crossing(walls_[w].moving, a.place, a.velocity, a.since,
+        next_crossing(walls_[w].motion, a.position, a.velocity, a.start_time,
                       walls_[w].surfaces(bodies_[i]), is_inside(key(i, -1 - w, {})));
-    const double time = a.since + crossing.wait;
+    const double time = a.start_time + crossing.wait;
     const EventKey key{time, 1 + depth(i, time), bodies_[i].tag, -1 - w};
     if (time < never && key < next.key) next = {key, i, -1 - w, {}, crossing.surface};
   }
 
-  Partner partner(int i) const {
-    const Body& body = bodies_[i];
-    return {flights[i].velocity, body.course.spin, body.inverse_mass, body.inverse_inertia,
+  CollisionPartner partner(int i) const {
+    const HardSphere& body = bodies_[i];
+    return {flights[i].velocity, body.event_state.spin, body.inverse_mass, body.inverse_inertia,
             body.radius};
   }
 
@@ -137,10 +137,10 @@ class BruteForce {
     event.j = j;
     bool& inside = inside_[key(i, j, next.boxes)];
     event.was_inside = inside;
-    Partner other{};
-    Law law;
+    CollisionPartner other{};
+    ImpactLaw law;
     if (j < 0) {
-      const MovingWall& wall = walls_[-1 - j].moving;
+      const MovingWall& wall = walls_[-1 - j].motion;
       const auto point = wall.wall.nearest(flights[i].at(time_), wall.at(time_), wall.rim_speed);
       event.separation = point.separation;
       other = {point.velocity, {}, 0.0, 0.0, 0.0};
@@ -154,7 +154,7 @@ class BruteForce {
     const double distance = norm(event.separation);
     const Vector3& r = event.separation;
     const Vector3 k{r.x / distance, r.y / distance, r.z / distance};
-    event.impact = impact(next.surface, k, law, partner(i), other);
+    event.impact = compute_impact(next.surface, k, law, partner(i), other);
     inside = event.impact.inside;
     change(i, -1.0, event);
     if (j >= 0) change(j, 1.0, event);
@@ -162,20 +162,20 @@ class BruteForce {
   }
 
   void change(int i, double side, const Event& event) {
-    Flight& flight = flights[i];
-    Body& body = bodies_[i];
-    flight.place = flight.at(time_);
-    flight.velocity += (side * body.inverse_mass) * event.impact.on_j;
-    flight.since = time_;
-    body.course.spin -= (body.radius * body.inverse_inertia) * event.impact.twist;
-    body.course.causal_depth = event.key.causal_depth;
+    VersionedFlight& flight = flights[i];
+    HardSphere& body = bodies_[i];
+    flight.position = flight.at(time_);
+    flight.velocity += (side * body.inverse_mass) * event.impact.impulse;
+    flight.start_time = time_;
+    body.event_state.spin -= (body.radius * body.inverse_inertia) * event.impact.spin_impulse;
+    body.event_state.causal_depth = event.key.causal_depth;
   }
 
   PeriodicBox box_;
-  std::vector<Body> bodies_;
+  std::vector<HardSphere> bodies_;
 
  public:
-  std::vector<Flight> flights;
+  std::vector<VersionedFlight> flights;
 
  private:
   PairRules pairs_;
@@ -184,12 +184,12 @@ class BruteForce {
   double time_ = 0.0;
 };
 
-/// The same events in the same order, with the same impulses, all to the last bit.
+/// Expects the same events in the same order, with the same impulses, to the last bit.
 void expect_events_of_brute_force(EventSimulation& simulation, const PeriodicBox& box, double time,
                                   std::size_t at_least) {
-  simulation.rules.collapse = 0;
-  simulation.start_clock(box);
-  simulation.set_up(box.rates.zero() ? never : 0.3 * time, {});
+  simulation.rules.collapse_limit = 0;
+  simulation.reset_time(box);
+  simulation.set_up(box.rates.is_zero() ? never : 0.3 * time, {});
   BruteForce reference(simulation, box);
   std::size_t events = 0;
   for (int n = 0; n < 20; n++) {
@@ -206,19 +206,19 @@ void expect_events_of_brute_force(EventSimulation& simulation, const PeriodicBox
   }
   for (std::size_t n = 0; n < simulation.flights.size(); n++)
     EXPECT_TRUE(same(simulation.flights[n], reference.flights[n]));
-  // None is missing at the end.
+  // No event is missing at the end.
   EXPECT_GT(reference.advance().key.time, simulation.end());
   EXPECT_GT(events, at_least);
 }
 
-const Law sticky{0.95, 0.2, 0.2};
-const Law rough{0.9, 0.3, 0.0};
+const ImpactLaw sticky{0.95, 0.2, 0.2};
+const ImpactLaw rough{0.9, 0.3, 0.0};
 
 class BruteForceWithMargin : public testing::TestWithParam<double> {
  protected:
   EventSimulation simulation;
 
-  void SetUp() override { simulation.neighbourhoods().margin = GetParam(); }
+  void SetUp() override { simulation.neighbour_lists().margin = GetParam(); }
 };
 
 INSTANTIATE_TEST_SUITE_P(All, BruteForceWithMargin, testing::Values(0.1, 0.6, 2.0));
@@ -226,14 +226,14 @@ INSTANTIATE_TEST_SUITE_P(All, BruteForceWithMargin, testing::Values(0.1, 0.6, 2.
 TEST_P(BruteForceWithMargin, HasTheSameEventsInACube) {
   simulation.pairs.set(0, 0, contact(rough));
   const PeriodicBox box = periodic_box({4.0, 4.0, 4.0});
-  Gas{30}.fill(simulation, box);
+  GasOfSpheres{30}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 25.0, 400);
 }
 
 TEST_P(BruteForceWithMargin, HasTheSameEventsWithWellsInATiltedBox) {
   simulation.pairs.set(0, 0, contact(sticky, 1.5));
   const PeriodicBox box = periodic_box({4.0, 3.7, 4.2, 1.6, -1.2, 1.9});
-  Gas{30, 0.3, 0.6}.fill(simulation, box);
+  GasOfSpheres{30, 0.3, 0.6}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 4.0, 400);
 }
 
@@ -242,63 +242,63 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsUnderShear) {
   PeriodicBox::Edges rates;
   rates.xy = 0.1 * 4.0;
   const PeriodicBox box = periodic_box({4.0, 4.0, 4.0}, rates);
-  Gas{30, 0.3, 0.6}.fill(simulation, box);
+  GasOfSpheres{30, 0.3, 0.6}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 3.0, 400);
 }
 
-TEST_P(BruteForceWithMargin, HasTheSameEventsInABoxThatChangesInEveryWay) {
+TEST_P(BruteForceWithMargin, HasTheSameEventsInADeformingBox) {
   simulation.pairs.set(0, 0, contact(sticky, 1.5));
   const PeriodicBox box =
       periodic_box({4.5, 4.2, 3.9, -0.6, 0.7, 1.3}, {0.2, -0.1, 0.05, 0.4, -0.3, -0.5});
-  Gas{30, 0.3, 0.6}.fill(simulation, box);
+  GasOfSpheres{30, 0.3, 0.6}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 4.0, 400);
 }
 
 TEST_P(BruteForceWithMargin, HasTheSameEventsInASmallBox) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   const PeriodicBox box = periodic_box({2.1, 2.2, 2.3, 0.2, -0.4, 0.6}, {0, 0, 0, 0, 0, 0.1});
-  Gas{4}.fill(simulation, box);
+  GasOfSpheres{4}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 30.0, 200);
 }
 
 TEST_P(BruteForceWithMargin, HasTheSameEventsOfSizesFromOneToTen) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   const PeriodicBox box = periodic_box({3.0, 3.2, 2.9, 0.0, 0.4, -0.3});
-  Gas{40, 0.1, 1.0}.fill(simulation, box);
+  GasOfSpheres{40, 0.1, 1.0}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 0.5, 300);
 }
 
-TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenWallsThatMove) {
+TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenMovingWalls) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   PeriodicBox box = periodic_box({4.0, 4.0, 5.0, 0.0, 0.0, 0.0});
   box.periodic[2] = false;
-  const HardWall::Rule rule{sticky, 1.4};
+  const HardWall::WallContact rule{sticky, 1.4};
   const WallState rising{{0.0, 0.0, 0.1}, {0.2, 0.0, 0.05}}, still{};
   simulation.walls.push_back(
       {{{Wall::z_plane, 1.0, box.origin.z - 0.1}, rising}, {rule}, -1, true});
   simulation.walls.push_back({{{Wall::z_plane, -1.0, box.origin.z + 5.0}, still}, {rule}});
-  Gas{25, 0.3, 0.6}.fill(simulation, box);
+  GasOfSpheres{25, 0.3, 0.6}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 8.0, 400);
 }
 
-// Homes flow towards a wall that stands.
+// Bounding neighbourhoods move towards a wall at rest.
 TEST_P(BruteForceWithMargin, HasTheSameEventsBetweenWallsAcrossTheFlow) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   PeriodicBox::Edges rates;
   rates.xy = 4.0;
   PeriodicBox box = periodic_box({5.0, 4.0, 4.0}, rates);
   box.periodic[0] = false;
-  const HardWall::Rule rule{sticky, 1.4};
+  const HardWall::WallContact rule{sticky, 1.4};
   simulation.walls.push_back({{{Wall::x_plane, 1.0, box.origin.x}, {}}, {rule}});
   simulation.walls.push_back({{{Wall::x_plane, -1.0, box.origin.x + 5.0}, {}}, {rule}});
-  Gas{25, 0.3, 0.6, 0.1}.fill(simulation, box);
+  GasOfSpheres{25, 0.3, 0.6, 0.1}.fill(simulation, box);
   expect_events_of_brute_force(simulation, box, 2.0, 100);
 }
 
-TEST_P(BruteForceWithMargin, HasTheSameEventsAmongSpheresThatNothingMoves) {
+TEST_P(BruteForceWithMargin, HasTheSameEventsWithImmobileSpheres) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
   const PeriodicBox box = periodic_box({4.0, 4.0, 4.0});
-  Gas{30}.fill(simulation, box);
+  GasOfSpheres{30}.fill(simulation, box);
   for (std::size_t n = 0; n < simulation.bodies.size(); n += 2) {
     simulation.bodies[n].inverse_mass = simulation.bodies[n].inverse_inertia = 0.0;
     simulation.flights[n].velocity = n % 4 ? Vector3{} : Vector3{0.0, 0.0, 0.1};
@@ -306,16 +306,16 @@ TEST_P(BruteForceWithMargin, HasTheSameEventsAmongSpheresThatNothingMoves) {
   expect_events_of_brute_force(simulation, box, 8.0, 300);
 }
 
-// Rows of equal spheres on one line each, whose places and velocities are small multiples of powers
-// of two, some of them in touch: whatever happens happens to many in the same instant, and runs on
-// through others in no time. Tags go by no order. With a margin of 1/2 homes touch exactly where
-// others end.
+// Rows of equal spheres on lines, whose positions and velocities are small multiples of powers of
+// two, some of them in contact: many events occur at the same instant, and chains of events pass
+// through several spheres at once. Tags are in random order. With a margin of 1/2 neighbourhoods
+// touch each other exactly.
 TEST(BruteForce, HasTheSameEventsOfOneInstant) {
   for (const double margin : {0.5, 0.6})
     for (const unsigned seed : {1, 2, 3, 4}) {
       EventSimulation rows;
-      rows.neighbourhoods().margin = margin;
-      rows.pairs.set(0, 0, contact(Law{}));
+      rows.neighbour_lists().margin = margin;
+      rows.pairs.set(0, 0, contact(ImpactLaw{}));
       const PeriodicBox box = periodic_box({16.0, 4.0, 4.0});
       std::mt19937 random(seed);
       std::vector<int> tags(36);
@@ -323,19 +323,19 @@ TEST(BruteForce, HasTheSameEventsOfOneInstant) {
       std::shuffle(tags.begin(), tags.end(), random);
       for (int n = 0; n < 36; n++) {
         const int row = n / 9, in_row = n % 9;
-        Body body;
+        HardSphere body;
         body.tag = tags[n];
         body.radius = 0.5;
         body.inverse_mass = 1.0;
         rows.bodies.push_back(body);
-        Flight flight;
-        const double last = in_row > 0 ? rows.flights.back().place.x + 1.0 : 0.0;
-        flight.place = {last + static_cast<double>(random() % 3) / 4.0, 2.0 * (row % 2),
-                        2.0 * (row / 2)};
+        VersionedFlight flight;
+        const double last = in_row > 0 ? rows.flights.back().position.x + 1.0 : 0.0;
+        flight.position = {last + static_cast<double>(random() % 3) / 4.0, 2.0 * (row % 2),
+                           2.0 * (row / 2)};
         flight.velocity = {static_cast<double>(random() % 5) - 2.0, 0.0, 0.0};
         rows.flights.push_back(flight);
       }
-      rows.neighbourhoods().bodies_of_box = 36.0;
+      rows.neighbour_lists().bodies_in_box = 36.0;
       expect_events_of_brute_force(rows, box, 8.0, 200);
       if (HasFatalFailure()) return;
     }

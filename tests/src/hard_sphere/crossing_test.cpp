@@ -17,12 +17,13 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-constexpr Surfaces well{1.0, 1.5};
-constexpr Surfaces bare{1.0, 1.0};
+constexpr SurfaceDistances well{1.0, 1.5};
+constexpr SurfaceDistances bare{1.0, 1.0};
 constexpr Vector3 still{};
 
-/// With speeds of the pair of order 1.
-Crossing next_crossing(const Vector3& r, const Vector3& w, const Surfaces& surfaces, bool inside) {
+/// For pairs with speeds of order 1.
+Crossing next_crossing(const Vector3& r, const Vector3& w, const SurfaceDistances& surfaces,
+                       bool inside) {
   return cohesion::hard_sphere::next_crossing(r, w, 1.0, surfaces, inside);
 }
 
@@ -52,7 +53,7 @@ TEST(Crossing, ObliqueTimesPutThePairOnTheSurface) {
   EXPECT_NEAR(norm(inside + out.wait * w), well.edge, 3 * round_off);
 }
 
-TEST(Crossing, NoneWhenPartingStillOrPassing) {
+TEST(Crossing, NoneWhenSeparatingAtRestOrPassing) {
   EXPECT_EQ(next_crossing({3.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, well, false).wait, never);
   EXPECT_EQ(next_crossing({3.0, 0.0, 0.0}, still, well, false).wait, never);
   EXPECT_EQ(next_crossing({1.2, 0.0, 0.0}, still, well, true).wait, never);
@@ -60,18 +61,18 @@ TEST(Crossing, NoneWhenPartingStillOrPassing) {
   EXPECT_LT(next_crossing({-3.0, 1.4999999, 0.0}, {1.0, 0.0, 0.0}, well, false).wait, 3.0);
 }
 
-// What was just crossed lies behind by the flag, wherever round-off has left the pair.
+// The flag shows which surface has been crossed, wherever round-off has put the pair.
 TEST(Crossing, RoundOffAtASurfaceNeitherRepeatsNorMissesIt) {
   for (const double off : {-3e-16, 0.0, 3e-16}) {
     const Vector3 r{1.5 + off, 0.0, 0.0};
-    // Just inside after an approach, and after a capture: the core, or the far side.
+    // Just inside after an approach or a capture: next is the core or the far side.
     EXPECT_EQ(next_crossing(r, {-1.0, 0.0, 0.0}, well, true).surface, Surface::core);
     const Crossing far = next_crossing(r, {-1.0, 2.0, 0.0}, well, true);
     EXPECT_EQ(far.surface, Surface::edge_outward);
     EXPECT_NEAR(far.wait, 2 * 1.5 / 5.0, 1e-14);
     // Just outside after an escape.
     EXPECT_EQ(next_crossing(r, {1.0, 0.0, 0.0}, well, false).wait, never);
-    // On the point of leaving or entering: now, never in the past.
+    // About to leave or enter: now, never in the past.
     EXPECT_GE(next_crossing(r, {1.0, 0.0, 0.0}, well, true).wait, 0.0);
     EXPECT_LT(next_crossing(r, {1.0, 0.0, 0.0}, well, true).wait, 1e-15);
     EXPECT_GE(next_crossing(r, {-1.0, 0.0, 0.0}, well, false).wait, 0.0);
@@ -81,7 +82,7 @@ TEST(Crossing, RoundOffAtASurfaceNeitherRepeatsNorMissesIt) {
 
 TEST(Crossing, GrazingChordInsideEndsAtTheClosestApproach) {
   // Outside by round-off and tangential: the discriminant is negative. The pair leaves as soon as
-  // it parts by more than round-off, 2.25e-15 here.
+  // it separates by more than round-off, 2.25e-15 here.
   const Crossing out = next_crossing({1.5 + 2e-16, 0.0, 0.0}, {-1e-14, 1.0, 0.0}, well, true);
   EXPECT_EQ(out.surface, Surface::edge_outward);
   EXPECT_NEAR(out.wait, 1.5e-14 + 2.25e-15, 1e-16);
@@ -90,16 +91,16 @@ TEST(Crossing, GrazingChordInsideEndsAtTheClosestApproach) {
   EXPECT_NEAR(along.wait, 2.25e-15, 1e-16);
 }
 
-// Reflected at the edge with less than it takes to come back within it, a pair would stay beyond it
-// on its chord, part on its other side, and so stray farther at every capture.
-TEST(Crossing, PairComesBackWithinTheEdge) {
+// With a slower reflection at the edge the chord of the pair would stay beyond the edge, and the
+// pair would drift farther out at every capture.
+TEST(Crossing, CaptureReturnsThePairWithinTheEdge) {
   for (const double beyond : {-1e-15, 0.0, 1e-15, 1e-9})
     for (const double speed : {0.0, 1e-12, 1e-3}) {
       const double distance = well.edge * (1.0 + beyond);
       const Vector3 r{0.0, distance, 0.0}, w{0.8, -speed, 0.6};
-      const Vector3 turned = leaving_edge(w, {0.0, 1.0, 0.0}, distance, well.edge);
+      const Vector3 turned = velocity_within_edge(w, {0.0, 1.0, 0.0}, distance, well.edge);
       EXPECT_NEAR(norm(turned), norm(w), 1e-15);
-      // The nearest place of the chord.
+      // The closest point of the chord.
       EXPECT_LT(norm(cross(r, turned)) / norm(turned), well.edge);
       if (speed > 1e-4 && beyond < 1e-8) {
         EXPECT_EQ(norm(turned - w), 0.0);
@@ -107,19 +108,19 @@ TEST(Crossing, PairComesBackWithinTheEdge) {
     }
 }
 
-// What an impulse cannot change any more is no event: the pair stands.
-TEST(Crossing, SpeedsThatAreRoundOffAreNone) {
+// If an impulse is too small to change the velocities there is no event: the pair is at rest.
+TEST(Crossing, RoundOffSpeedsCauseNoCrossing) {
   const Vector3 touching{1.0 - 1e-16, 0.0, 0.0}, at_edge{1.5 + 2e-16, 0.0, 0.0};
   EXPECT_EQ(next_crossing(touching, {-5e-16, 0.0, 0.0}, bare, false).wait, never);
   EXPECT_EQ(next_crossing(touching, {-2e-15, 0.0, 0.0}, bare, false).wait, 0.0);
   EXPECT_EQ(next_crossing(touching, {-5e-16, 0.0, 0.0}, well, true).surface, Surface::edge_outward);
   EXPECT_EQ(next_crossing(at_edge, {5e-16, 0.0, 0.0}, well, true).wait, never);
   EXPECT_EQ(next_crossing(at_edge, {2e-15, 0.0, 0.0}, well, true).wait, 0.0);
-  // Into the well there is always an impulse.
+  // At the entry of a well there is always an impulse.
   EXPECT_EQ(next_crossing({1.5, 0.0, 0.0}, {-5e-16, 0.0, 0.0}, well, false).wait, 0.0);
 }
 
-TEST(Crossing, OverlappingCoresMeetNowOrPart) {
+TEST(Crossing, OverlappingCoresCollideNowOrSeparate) {
   EXPECT_EQ(next_crossing({0.9, 0.0, 0.0}, {-1.0, 0.0, 0.0}, bare, false).wait, 0.0);
   EXPECT_EQ(next_crossing({0.9, 0.0, 0.0}, {1.0, 0.0, 0.0}, bare, false).wait, never);
 }
@@ -127,7 +128,7 @@ TEST(Crossing, OverlappingCoresMeetNowOrPart) {
 TEST(Crossing, Plane) {
   const MovingWall wall{
       {Wall::x_plane, 1.0, 2.0}, {{0.3, 0.0, 0.0}, {0.5, 0.0, 0.0}}, 0.0, /*when=*/1.0};
-  // At 2.3 at the time 1; 0.4 before the plane is at 2.3 - 0.2.
+  // The plane is at 2.3 at the time 1, and at 2.3 - 0.2 0.4 earlier.
   const Crossing in = next_crossing(wall, {5.1, 0.0, 0.0}, {-1.0, 3.0, 0.0}, 0.6, well, false);
   EXPECT_NEAR(in.wait, 1.0, round_off);
   EXPECT_EQ(in.surface, Surface::edge_inward);
@@ -151,7 +152,7 @@ TEST(Crossing, CylinderFromInside) {
   const Crossing hit = next_crossing(wall, x, v, 0.0, bare, false);
   EXPECT_EQ(hit.surface, Surface::core);
   EXPECT_NEAR(from_axis(x, hit.wait), 9.0, 10 * round_off);
-  // In the well: on its way inward it leaves, along the rim it hits.
+  // In the well: on its way inward the particle leaves it, along the wall it collides.
   const Crossing out = next_crossing(wall, {-8.8, 0.0, 0.0}, v, 0.0, well, true);
   EXPECT_EQ(out.surface, Surface::edge_outward);
   EXPECT_NEAR(from_axis({-8.8, 0.0, 0.0}, out.wait), 8.5, 10 * round_off);
@@ -159,11 +160,11 @@ TEST(Crossing, CylinderFromInside) {
             Surface::core);
 }
 
-/// Pairs of all kinds: far and near, on their surfaces to round-off, slow and fast, and such as
-/// graze one of them, by a fraction of it down to round-off.
+/// Pairs of all kinds: far and near, at their surfaces to round-off, slow and fast, and grazing a
+/// surface within a fraction down to round-off.
 struct RandomPair {
   Vector3 r, w;
-  Surfaces surfaces;
+  SurfaceDistances surfaces;
   bool inside;
   double vv;
 
@@ -197,9 +198,9 @@ struct RandomPair {
   }
 };
 
-// It may say that there could be something where there is nothing; but not the other way, and not
-// with surfaces of single precision either.
-TEST(Crossing, WhatMeetsNothingHasNoCrossing) {
+// The test may predict a crossing that does not occur. It must not miss one, nor with surfaces in
+// single precision.
+TEST(Crossing, NegativePreselectionMeansNoCrossing) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform;
   int nothing = 0, crossings = 0;
@@ -216,12 +217,12 @@ TEST(Crossing, WhatMeetsNothingHasNoCrossing) {
                             flight * (1.0 - std::pow(10.0, -16.0 * uniform(random))),
                             0.0,
                             never};
-    const Surfaces rounded{static_cast<float>(pair.surfaces.core),
-                           static_cast<float>(pair.surfaces.edge)};
+    const SurfaceDistances rounded{static_cast<float>(pair.surfaces.core),
+                                   static_cast<float>(pair.surfaces.edge)};
     crossings += crosses;
     for (const double left : times) {
-      if (may_meet_within(left, b, ww, rr, pair.surfaces, pair.inside) &&
-          may_meet_within(left, b, ww, rr, rounded, pair.inside))
+      if (may_cross_within(left, b, ww, rr, pair.surfaces, pair.inside) &&
+          may_cross_within(left, b, ww, rr, rounded, pair.inside))
         continue;
       nothing++;
       ASSERT_TRUE(next.wait > left || !crosses) << n << " b " << b << " ww " << ww << " rr " << rr;
@@ -231,13 +232,13 @@ TEST(Crossing, WhatMeetsNothingHasNoCrossing) {
   EXPECT_GT(nothing, 150000);
 }
 
-// Pairs that stand have nothing before them, in a well too, and asking is no invalid operation.
-TEST(Crossing, WhatStandsMeetsNothing) {
+// A pair at rest has no crossing, also in a well, and the test raises no floating-point exception.
+TEST(Crossing, PairsAtRestHaveNoCrossing) {
   std::feclearexcept(FE_ALL_EXCEPT);
   for (volatile double left : {0.0, 1.0, never}) {
-    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 1.44, bare, false));
-    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 4.0, well, false));
-    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 1.44, well, true));
+    EXPECT_FALSE(may_cross_within(left, 0.0, 0.0, 1.44, bare, false));
+    EXPECT_FALSE(may_cross_within(left, 0.0, 0.0, 4.0, well, false));
+    EXPECT_FALSE(may_cross_within(left, 0.0, 0.0, 1.44, well, true));
   }
   EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
 }

@@ -13,20 +13,20 @@ namespace {
 
 using namespace cohesion::hard_sphere;
 
-constexpr int room = 4;
+constexpr int capacity = 4;
 
 bool by_partner(const PredictedEvent& a, const PredictedEvent& b) { return a.partner < b.partner; }
 
-TEST(PredictedEvents, AreOneLineOfTheCacheOrMore) {
+TEST(PredictedEvents, AreWholeCacheLines) {
   EXPECT_EQ(sizeof(PredictedEvents) % 64, 0u);
   EXPECT_EQ(alignof(PredictedEvents), 64u);
 }
 
-TEST(PredictedEvents, NothingIsBeforeTheHorizon) {
+TEST(PredictedEvents, EndAtTheHorizon) {
   PredictedEvents events;
   EXPECT_TRUE(events.empty());
   EXPECT_EQ(events.next_time(), never);
-  events.begin(2.0);
+  events.reset(2.0);
   EXPECT_EQ(events.next_time(), 2.0);
   events.add({2.0, 0, 0, 0, Surface::core}, by_partner);
   events.add({3.0, 1, 0, 0, Surface::core}, by_partner);
@@ -43,8 +43,8 @@ TEST(PredictedEvents, NothingIsBeforeTheHorizon) {
   EXPECT_EQ(events.next_time(), 2.0);
 }
 
-// In whatever order they come, and however many of them are tied: the first of all that are before
-// the horizon are there, and the first that is not is the horizon.
+// In any order of insertion, with any number of ties: the list contains the first events before the
+// horizon, and the first one beyond the capacity is the new horizon.
 TEST(PredictedEvents, KeepTheFirstOfASortedMap) {
   std::mt19937 random(5);
   PredictedEvents events;
@@ -55,15 +55,15 @@ TEST(PredictedEvents, KeepTheFirstOfASortedMap) {
     for (int k = 0; k < count; k++) partners[k] = k - 2;
     std::shuffle(partners.begin(), partners.end(), random);
     std::multimap<std::pair<double, int>, int> reference;
-    events.begin(horizon);
+    events.reset(horizon);
     for (const int partner : partners) {
       const double time = static_cast<double>(random() % times);
       events.add({time, partner, 0, 0, Surface::core}, by_partner);
       if (time < horizon) reference.insert({{time, partner}, partner});
     }
     double next_horizon = horizon;
-    if (reference.size() > room) {
-      const auto first_left_out = std::next(reference.begin(), room);
+    if (reference.size() > capacity) {
+      const auto first_left_out = std::next(reference.begin(), capacity);
       next_horizon = first_left_out->first.first;
       reference.erase(first_left_out, reference.end());
     }

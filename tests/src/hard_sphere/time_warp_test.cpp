@@ -15,25 +15,26 @@ namespace {
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-/// Several simulations of the same bodies, each of which has its own part of them; the others are
-/// remote there. Updates go from owners to all others, until none differ, as processes do it.
-class Parts {
+/// Several simulations of the same bodies. Each owns a part of them and has remote copies of the
+/// others. They exchange messages as processes do.
+class PartitionedSimulation {
  public:
   int rounds = 0;
 
-  Parts(const EventSimulation& whole, int parts, double lifetime = never) : simulations_(parts) {
+  PartitionedSimulation(const EventSimulation& whole, int parts, double lifetime = never)
+      : simulations_(parts) {
     for (int p = 0; p < parts; p++) {
       TimeWarp& part = simulations_[p];
-      part.alone = false;
+      part.single_process = false;
       part.bodies = whole.bodies;
       part.flights = whole.flights;
       part.pairs = whole.pairs;
       part.walls = whole.walls;
       part.rules = whole.rules;
-      for (Body& body : part.bodies) body.remote = owner(body.tag - 1) != p;
-      part.neighbourhoods().bodies_of_box = static_cast<double>(whole.bodies.size());
-      part.neighbourhoods().margin = whole.neighbourhoods().margin;
-      part.start_clock(whole.box());
+      for (HardSphere& body : part.bodies) body.remote = owner(body.tag - 1) != p;
+      part.neighbour_lists().bodies_in_box = static_cast<double>(whole.bodies.size());
+      part.neighbour_lists().margin = whole.neighbour_lists().margin;
+      part.reset_time(whole.box());
       part.set_up(lifetime, {});
     }
   }
@@ -49,10 +50,12 @@ class Parts {
     }
   }
 
-  const Flight& flight(int body) const { return simulations_[owner(body)].flights[body]; }
-  const Course& course(int body) const { return simulations_[owner(body)].bodies[body].course; }
+  const VersionedFlight& flight(int body) const { return simulations_[owner(body)].flights[body]; }
+  const EventState& event_state(int body) const {
+    return simulations_[owner(body)].bodies[body].event_state;
+  }
 
-  /// The events of all parts in this step, those of two parts once, in order.
+  /// The events of all parts in this step, sorted; an event of two parts is included once.
   std::vector<Event> events() const {
     std::vector<Event> all;
     for (std::size_t p = 0; p < simulations_.size(); p++)
@@ -62,12 +65,13 @@ class Parts {
     return all;
   }
 
-  /// Every process has the same flights of all bodies.
+  /// Expects the same flights of all bodies in each part.
   void expect_agreement() const {
     for (const TimeWarp& part : simulations_)
       for (std::size_t n = 0; n < part.bodies.size(); n++) {
         EXPECT_TRUE(same(part.flights[n], flight(static_cast<int>(n)))) << n;
-        EXPECT_TRUE(same(part.bodies[n].course.spin, course(static_cast<int>(n)).spin)) << n;
+        EXPECT_TRUE(same(part.bodies[n].event_state.spin, event_state(static_cast<int>(n)).spin))
+            << n;
       }
   }
 
@@ -82,32 +86,32 @@ class Parts {
       for (TimeWarp& part : simulations_) part.run_window(until);
       for (std::size_t p = 0; p < simulations_.size(); p++)
         for (const int body : simulations_[p].take_changed_bodies())
-          tell_others(static_cast<int>(p), body);
-      TimeWarp::Difference first;
-      for (TimeWarp& part : simulations_) first = std::min(first, part.first_difference());
-      if (first.time == never) break;
-      for (TimeWarp& part : simulations_) part.assume_what_was_told(first);
+          send_messages(static_cast<int>(p), body);
+      VirtualTime gvt;
+      for (TimeWarp& part : simulations_) gvt = std::min(gvt, part.rollback_time());
+      if (gvt.time == never) break;
+      for (TimeWarp& part : simulations_) part.roll_back_and_accept(gvt);
       ASSERT_LT(rounds, 100000);
     }
     for (TimeWarp& part : simulations_) part.end_window();
   }
 
-  void tell_others(int from, int body) {
-    std::vector<RemoteUpdate> all;
-    simulations_[from].find_updates(body, all);
+  void send_messages(int from, int body) {
+    std::vector<EventMessage> messages;
+    simulations_[from].collect_messages(body, messages);
     for (int p = 0; p < static_cast<int>(simulations_.size()); p++) {
       if (p == from) continue;
-      std::vector<RemoteUpdate>& told = simulations_[p].tell(body);
-      for (const RemoteUpdate& update : all)
-        if (update.partner < 0 || owner(update.partner) != p) told.push_back(update);
+      std::vector<EventMessage>& received = simulations_[p].begin_receiving(body);
+      for (const EventMessage& message : messages)
+        if (message.partner < 0 || owner(message.partner) != p) received.push_back(message);
     }
   }
 
   std::vector<TimeWarp> simulations_;
 };
 
-void expect_the_same(EventSimulation& whole, Parts& split, int steps, double dt, int windows,
-                     std::size_t& events) {
+void expect_same_events(EventSimulation& whole, PartitionedSimulation& split, int steps, double dt,
+                        int windows, std::size_t& events) {
   for (int n = 0; n < steps; n++) {
     whole.begin_step(dt);
     whole.run(whole.end());
@@ -123,24 +127,27 @@ void expect_the_same(EventSimulation& whole, Parts& split, int steps, double dt,
     ASSERT_TRUE(same(whole.flights[n], split.flight(static_cast<int>(n)))) << n;
 }
 
-// Neighbours belong to different parts nearly always: nearly every event is one of two parts.
-TEST(TimeWarp, PartsDoWhatOneDoesInABox) {
-  for (const Law& law : {Law{0.9, 0.3, 0.3}, Law{1.0, 0.0, 0.3}, Law{0.9, 0.3, 0.0}})
+// Neighbours nearly always belong to different parts, so that nearly every event involves two
+// parts.
+TEST(TimeWarp, PartsHaveTheSameEventsInABox) {
+  for (const ImpactLaw& law :
+       {ImpactLaw{0.9, 0.3, 0.3}, ImpactLaw{1.0, 0.0, 0.3}, ImpactLaw{0.9, 0.3, 0.0}})
     for (const int parts : {2, 3, 5})
       for (const int windows : {1, 4}) {
         BoxOfSpheres whole(3, law);
-        Parts split(whole.simulation, parts);
+        PartitionedSimulation split(whole.simulation, parts);
         std::size_t events = 0;
-        expect_the_same(whole.simulation, split, 20, 0.3, windows, events);
+        expect_same_events(whole.simulation, split, 20, 0.3, windows, events);
         EXPECT_GT(events, 100u);
       }
 }
 
-constexpr double lifetime_of_homes = 0.5;  // of several in a run
-constexpr double small_margin = 0.15;      // a home is left after a fraction of a flight
+constexpr double neighbourhood_lifetime = 0.5;  // short: several lifetimes in a run
+constexpr double small_margin =
+    0.15;  // small: bodies leave their neighbourhoods after a fraction of a flight
 
 /// A gas with wells in a periodic box.
-void set_gas(EventSimulation& gas, int edge, double space, const Law& law, double ratio,
+void set_gas(EventSimulation& gas, int edge, double space, const ImpactLaw& law, double ratio,
              double rate) {
   std::mt19937 random(7);
   std::normal_distribution<> normal;
@@ -150,98 +157,99 @@ void set_gas(EventSimulation& gas, int edge, double space, const Law& law, doubl
   box.rates.xy = rate * edge * space;
   box.periodic = {true, true, true};
   for (int n = 0; n < edge * edge * edge; n++) {
-    Body body;
+    HardSphere body;
     body.tag = n + 1;
     body.radius = 0.5;
     body.inverse_mass = 1.0;
     body.inverse_inertia = 10.0;
     gas.bodies.push_back(body);
-    Flight flight;
-    flight.place = {space * (n % edge + 0.5), space * (n / edge % edge + 0.5),
-                    space * (n / edge / edge + 0.5)};
-    flight.velocity = {normal(random) + rate * (flight.place.y - 0.5 * edge * space),
+    VersionedFlight flight;
+    flight.position = {space * (n % edge + 0.5), space * (n / edge % edge + 0.5),
+                       space * (n / edge / edge + 0.5)};
+    flight.velocity = {normal(random) + rate * (flight.position.y - 0.5 * edge * space),
                        normal(random), normal(random)};
     gas.flights.push_back(flight);
   }
-  gas.neighbourhoods().bodies_of_box = static_cast<double>(gas.bodies.size());
-  gas.start_clock(box);
-  gas.set_up(lifetime_of_homes, {});
+  gas.neighbour_lists().bodies_in_box = static_cast<double>(gas.bodies.size());
+  gas.reset_time(box);
+  gas.set_up(neighbourhood_lifetime, {});
 }
 
-TEST(TimeWarp, PartsDoWhatOneDoesInPeriodicBoxes) {
+TEST(TimeWarp, PartsHaveTheSameEventsInPeriodicBoxes) {
   for (const double rate : {0.0, 0.2})
     for (const int parts : {2, 5})
       for (const double dt : {0.05, 0.4}) {
         EventSimulation whole;
         set_gas(whole, 5, 1.3, {0.95, 0.2, 0.5}, 1.3, rate);
-        Parts split(whole, parts, lifetime_of_homes);
+        PartitionedSimulation split(whole, parts, neighbourhood_lifetime);
         std::size_t events = 0;
-        expect_the_same(whole, split, dt < 0.1 ? 16 : 3, dt, 2, events);
+        expect_same_events(whole, split, dt < 0.1 ? 16 : 3, dt, 2, events);
         EXPECT_GT(events, 500u);
       }
 }
 
-// In one stretch bodies fly through several homes: who is put back meets others where they were, in
-// homes that these have left, and who is met there has its home elsewhere.
-TEST(TimeWarp, PartsFindWhoHasLeftHomes) {
+// In one window bodies fly through several neighbourhoods. Bodies after a rollback meet others at
+// positions in neighbourhoods that these have left since, and rolled-back partners have their
+// neighbourhoods elsewhere.
+TEST(TimeWarp, PartsHaveTheSameEventsWhenBodiesLeaveNeighbourhoods) {
   for (const double friction : {0.0, 0.2})
     for (const double rate : {0.0, 0.2})
       for (const int parts : {2, 5}) {
         EventSimulation whole;
-        whole.neighbourhoods().margin = small_margin;
+        whole.neighbour_lists().margin = small_margin;
         set_gas(whole, 6, 1.6, {1.0, friction, 0.5}, 1.1, rate);
-        Parts split(whole, parts, lifetime_of_homes);
+        PartitionedSimulation split(whole, parts, neighbourhood_lifetime);
         std::size_t events = 0;
-        expect_the_same(whole, split, 2, 0.6, 1, events);
+        expect_same_events(whole, split, 2, 0.6, 1, events);
         EXPECT_GT(events, 500u);
       }
 }
 
-// Spheres that are bound by narrow wells so deep that the rule of rest acts from the start.
-TEST(TimeWarp, PartsDoWhatOneDoesInABoundCluster) {
+// Spheres bound by narrow wells so deep that the rule of rest acts from the start.
+TEST(TimeWarp, PartsHaveTheSameEventsInABoundCluster) {
   for (const int parts : {2, 3}) {
     EventSimulation whole;
     set_gas(whole, 3, 1.005, {0.5, 0.2, 1e4}, 1.01, 0.0);
-    Parts split(whole, parts, lifetime_of_homes);
+    PartitionedSimulation split(whole, parts, neighbourhood_lifetime);
     std::size_t events = 0;
-    expect_the_same(whole, split, 10, 0.05, 4, events);
+    expect_same_events(whole, split, 10, 0.05, 4, events);
     EXPECT_GT(events, 1000u);
     EXPECT_GT(std::count_if(whole.events.begin(), whole.events.end(),
-                            [](const Event& event) { return event.impact.given_at_rest > 0.0; }),
+                            [](const Event& event) { return event.impact.rest_rule_energy > 0.0; }),
               0);
   }
 }
 
-// A blow runs down a row of touching spheres in no time: events of one instant, one causing the
-// next, with tags that do not rise along the row.
-TEST(TimeWarp, PartsAgreeOnEventsOfOneInstant) {
+// Momentum passes through a row of touching spheres at one instant: a chain of events, each the
+// cause of the next, with tags in another order than the row.
+TEST(TimeWarp, PartsHaveTheSameEventsAtOneInstant) {
   EventSimulation whole;
   whole.pairs.set(0, 0, contact({}));
-  const int places[] = {3, 0, 4, 1, 5, 2};
+  const int positions[] = {3, 0, 4, 1, 5, 2};
   for (int n = 0; n < 6; n++) {
-    Body body;
+    HardSphere body;
     body.tag = n + 1;
     body.radius = 0.5;
     body.inverse_mass = 1.0;
     whole.bodies.push_back(body);
-    Flight flight;
-    flight.place = {static_cast<double>(places[n]), 0.0, 0.0};
-    if (places[n] == 0) {
+    VersionedFlight flight;
+    flight.position = {static_cast<double>(positions[n]), 0.0, 0.0};
+    if (positions[n] == 0) {
       flight.velocity = {2.0, 0.0, 0.0};
-      flight.place.x = -1.0;
+      flight.position.x = -1.0;
     }
     whole.flights.push_back(flight);
   }
-  whole.neighbourhoods().bodies_of_box = 6;
+  whole.neighbour_lists().bodies_in_box = 6;
   for (const int parts : {2, 3}) {
     EventSimulation one;
     one.pairs = whole.pairs, one.bodies = whole.bodies, one.flights = whole.flights;
-    one.neighbourhoods().bodies_of_box = 6;
-    one.start_clock(closed_box({-2.0, -1.0, -1.0}, {9.0, 1.0, 1.0}));
+    one.neighbour_lists().bodies_in_box = 6;
+    one.reset_time(closed_box({-2.0, -1.0, -1.0}, {9.0, 1.0, 1.0}));
     one.set_up(never, {});
-    Parts split(one, parts);
+    PartitionedSimulation split(one, parts);
     std::size_t events = 0;
-    expect_the_same(one, split, 1, 1.0, 1, events);
+    expect_same_events(one, split, 1, 1.0, 1, events);
     ASSERT_EQ(events, 5u);
     for (int n = 0; n < 5; n++) EXPECT_EQ(one.events[n].key.causal_depth, n);
   }

@@ -8,18 +8,18 @@
 
 namespace cohesion::hard_sphere {
 
-/// Parameters of the impacts of a pair of materials, as users give them.
-struct ContactParameters {
+/// Parameters of the impacts of a pair of materials.
+struct HardContactParameters {
   double restitution = 1.0;      ///< e, [1]
   double friction = 0.0;         ///< mu_f, [1]
   square_well::Parameters well;  ///< around the hard core
 
-  Law law() const { return {restitution, friction, well.depth}; }
+  ImpactLaw law() const { return {restitution, friction, well.depth}; }
 };
 
-/// Throws InvalidParameter unless law and well are valid and a well that attracts reaches beyond
-/// the core.
-inline void require_valid(const ContactParameters& p) {
+/// Throws InvalidParameter unless core and well are valid, and an attractive well is wider than the
+/// core.
+inline void require_valid(const HardContactParameters& p) {
   require_valid(p.law());
   square_well::require_valid(p.well);
   require(p.well.depth == 0.0 || p.well.ratio_i > 1.0, "ratio r_out/r of the well", p.well.ratio_i,
@@ -27,8 +27,9 @@ inline void require_valid(const ContactParameters& p) {
           "captured pair would have infinitely many events in no time");
 }
 
-/// Unlike materials: geometric means of restitution and friction; the well as square_well::mixed.
-inline ContactParameters mixed(const ContactParameters& a, const ContactParameters& b) {
+/// Unlike materials: geometric means of restitution and friction; the well as in
+/// square_well::mixed.
+inline HardContactParameters mixed(const HardContactParameters& a, const HardContactParameters& b) {
   return {geometric_mean(a.restitution, b.restitution), geometric_mean(a.friction, b.friction),
           square_well::mixed(a.well, b.well)};
 }

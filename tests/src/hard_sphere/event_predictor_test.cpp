@@ -10,19 +10,18 @@
 #include "hard_sphere/event_simulation.h"
 #include "hard_sphere/gas_of_spheres.h"
 
-// A prediction depends on nothing but flights and wells: it is the same wherever and whenever it
-// is made.
+// A prediction depends only on flights and wells: it is the same on each process and at each time.
 namespace {
 
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-const Law sticky{0.95, 0.2, 0.2};
+const ImpactLaw sticky{0.95, 0.2, 0.2};
 
-/// Lets see what it has predicted.
-class Watched : public EventSimulation {
+/// Gives access to the predictions.
+class InspectedSimulation : public EventSimulation {
  public:
-  /// An event of two bodies, or of a body and a wall, the lower number first.
+  /// An event of two bodies, or of a body and a wall, with the lower number first.
   using Predicted = std::tuple<double, int, int, int, Surface>;
 
   std::set<Predicted> valid_events(int i) const {
@@ -41,34 +40,34 @@ class Watched : public EventSimulation {
   Predicted predicted(int i, const PredictedEvent& event) const {
     if (event.partner < 0 || i < event.partner)
       return {event.time, i, event.partner, event.image, event.surface};
-    return {event.time, event.partner, i, neighbourhoods_.image(event.image).reverse,
+    return {event.time, event.partner, i, neighbour_lists_.image(event.image).opposite,
             event.surface};
   }
 };
 
-/// Gases in which the same happens.
+/// Fills simulations with identical gases.
 void fill(EventSimulation& simulation, const PeriodicBox& box, int count = 120) {
   simulation.pairs.set(0, 0, contact(sticky, 1.4));
-  simulation.rules.collapse = 0;
-  Gas{count, 0.4, 0.6}.fill(simulation, box);
-  simulation.start_clock(box);
+  simulation.rules.collapse_limit = 0;
+  GasOfSpheres{count, 0.4, 0.6}.fill(simulation, box);
+  simulation.reset_time(box);
 }
 
 const PeriodicBox tilted = periodic_box({7.0, 6.5, 6.0, 1.0, -1.2, 2.1});
 
-// What is known stays, to the last bit. What comes new is what the partner alone has known, or what
-// lies behind the horizon of one of both, who predicts it then.
-TEST(Prediction, AnotherTimeChangesNothing) {
-  Watched gas;
+// Predicting again changes no bit of a predicted event. A new event was predicted by the partner
+// only before, or lies beyond the horizon of one of both.
+TEST(EventPredictor, PredictionIsIndependentOfItsTime) {
+  InspectedSimulation gas;
   fill(gas, tilted);
   gas.set_up(never, {});
   const int count = static_cast<int>(gas.bodies.size());
-  int known = 0, unchanged = 0;
+  int predicted_before = 0, unchanged = 0;
   for (int n = 0; n < 50; n++) {
     gas.begin_step(0.1);
     gas.run(gas.end());
-    std::vector<std::set<Watched::Predicted> > before(count);
-    std::set<Watched::Predicted> all_before;
+    std::vector<std::set<InspectedSimulation::Predicted> > before(count);
+    std::set<InspectedSimulation::Predicted> all_before;
     std::vector<double> horizons(count);
     for (int i = 0; i < count; i++) {
       before[i] = gas.valid_events(i);
@@ -84,23 +83,23 @@ TEST(Prediction, AnotherTimeChangesNothing) {
         EXPECT_TRUE(after.count(event) || std::get<0>(event) >= gas.horizon(i));
       for (const auto& event : after) {
         const auto [time, a, b, image, surface] = event;
-        const bool was_known = all_before.count(event) > 0;
-        EXPECT_TRUE(was_known || time >= horizons[a] || (b >= 0 && time >= horizons[b]));
-        known += was_known;
+        const bool was_predicted = all_before.count(event) > 0;
+        EXPECT_TRUE(was_predicted || time >= horizons[a] || (b >= 0 && time >= horizons[b]));
+        predicted_before += was_predicted;
       }
       EXPECT_EQ(gas.next_time(i), after.empty() ? gas.horizon(i) : std::get<0>(*after.begin()));
-      // The next one is the same, unless the partner alone has known of an earlier one.
+      // The next event is the same, unless only the partner had predicted an earlier one.
       if (was_valid && before[i].count(*after.begin())) {
         EXPECT_EQ(gas.next_time(i), next_time);
         unchanged++;
       }
     }
   }
-  EXPECT_GT(known, 10000);
+  EXPECT_GT(predicted_before, 10000);
   EXPECT_GT(unchanged, 1000);
 }
 
-/// Runs two that begin the same, of which one predicts all anew from time to time, by `rebuild`.
+/// Runs two identical simulations; `rebuild` discards predictions of one of them from time to time.
 template <class Rebuild>
 void expect_the_same_events(EventSimulation& one, EventSimulation& other, double dt, int steps,
                             const Rebuild& rebuild) {
@@ -121,7 +120,7 @@ void expect_the_same_events(EventSimulation& one, EventSimulation& other, double
   EXPECT_GT(events, 2000u);
 }
 
-TEST(Prediction, IsTheSameAfterListsHaveBeenMadeAnew) {
+TEST(EventPredictor, EventsAreTheSameAfterRebuildingLists) {
   for (const double margin : {0.1, 0.6, 1.5}) {
     EventSimulation one, other;
     for (EventSimulation* simulation : {&one, &other}) {
@@ -130,13 +129,13 @@ TEST(Prediction, IsTheSameAfterListsHaveBeenMadeAnew) {
     }
     expect_the_same_events(one, other, 0.037, 200, [&](EventSimulation& gas, int n) {
       if (n % 3) return;
-      gas.neighbourhoods().margin = n % 2 ? margin : 0.5;
-      gas.set_up(never, gas.inside_at_edge());
+      gas.neighbour_lists().margin = n % 2 ? margin : 0.5;
+      gas.set_up(never, gas.bound_pairs_at_edge());
     });
   }
 }
 
-TEST(Prediction, IsTheSameAfterAllHaveBeenPredictedAgain) {
+TEST(EventPredictor, EventsAreTheSameAfterPredictingAgain) {
   EventSimulation one, other;
   for (EventSimulation* simulation : {&one, &other}) {
     fill(*simulation, tilted);
@@ -147,7 +146,7 @@ TEST(Prediction, IsTheSameAfterAllHaveBeenPredictedAgain) {
   });
 }
 
-TEST(Prediction, IsTheSameUnderShear) {
+TEST(EventPredictor, EventsAreTheSameUnderShear) {
   PeriodicBox::Edges rates;
   rates.xy = 0.1 * 6.5;
   const PeriodicBox box = periodic_box({6.5, 6.5, 6.5}, rates);
@@ -157,27 +156,28 @@ TEST(Prediction, IsTheSameUnderShear) {
     simulation->set_up(1.3, {});
   }
   expect_the_same_events(one, other, 0.04, 100, [](EventSimulation& gas, int n) {
-    if (n % 3 == 0) gas.set_up(1.3, gas.inside_at_edge());
+    if (n % 3 == 0) gas.set_up(1.3, gas.bound_pairs_at_edge());
   });
 }
 
-TEST(Prediction, IsTheSameInABoxOfWalls) {
+TEST(EventPredictor, EventsAreTheSameInABoxOfWalls) {
   BoxOfSpheres one(4, {1.0, 0.3, 0.3}), other(4, {1.0, 0.3, 0.3});
   expect_the_same_events(one.simulation, other.simulation, 0.05, 200,
                          [](EventSimulation& gas, int n) {
-                           if (n % 3 == 0) gas.set_up(never, gas.inside_at_edge());
+                           if (n % 3 == 0) gas.set_up(never, gas.bound_pairs_at_edge());
                          });
 }
 
-// A step that ends in the very instant of an event on an edge, with the pair there by its flag
-// alone.
-TEST(Prediction, IsTheSameFromTheEdgeOfAWellOn) {
+// A step ends at the instant of an event at an edge, where only the flag shows whether the pair is
+// in its well.
+TEST(EventPredictor, EventsAreTheSameAfterAStepEndsAtAnEdge) {
   int at_edge = 0;
   for (const bool rebuilt : {false, true}) {
     EventSimulation one, other;
     for (EventSimulation* simulation : {&one, &other}) {
       fill(*simulation, tilted, 80);
-      simulation->rules.rest = 0.0;  // counts the collisions in a step, and steps are divided here
+      simulation->rules.rest_factor =
+          0.0;  // depends on the collisions in a step, but the steps of both differ
       simulation->set_up(never, {});
     }
     for (int n = 0; n < 100; n++) {
@@ -188,7 +188,7 @@ TEST(Prediction, IsTheSameFromTheEdgeOfAWellOn) {
       const std::size_t count = one.events.size();
       other.begin_step(until - other.end());
       other.run(other.end());
-      const auto inside = other.inside_at_edge();
+      const auto inside = other.bound_pairs_at_edge();
       at_edge += !inside.empty();
       if (rebuilt) other.set_up(never, inside);
       std::vector<Event> events = other.events;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// EventSimulation::arrange() and take_in(): bodies that get other numbers, go and come.
+// EventSimulation::renumber() and add_bodies(): permutation, removal and insertion of bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "hard_sphere/gas_of_spheres.h"
-#include "hard_sphere/lists_of.h"
+#include "hard_sphere/neighbour_list_check.h"
 
 namespace {
 
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-const Law sticky{0.95, 0.2, 0.2};
+const ImpactLaw sticky{0.95, 0.2, 0.2};
 
 PeriodicBox sheared_box() {
   PeriodicBox box = periodic_box({7.0, 6.0, 6.5, 0.0, 0.0, 1.4});
@@ -25,8 +25,8 @@ PeriodicBox sheared_box() {
 
 void set_up(EventSimulation& simulation) {
   simulation.pairs.set(0, 0, contact(sticky, 1.3));
-  Gas{90}.fill(simulation, sheared_box());
-  simulation.start_clock(sheared_box());
+  GasOfSpheres{90}.fill(simulation, sheared_box());
+  simulation.reset_time(sheared_box());
   simulation.set_up(1.0, {});
 }
 
@@ -35,8 +35,8 @@ void step(EventSimulation& simulation) {
   simulation.run(simulation.end());
 }
 
-// Other numbers change no event.
-TEST(Arrange, OtherNumbersAreOfNoConsequence) {
+// A permutation changes no event.
+TEST(BodyRenumbering, PermutationChangesNoEvent) {
   EventSimulation straight, mixed;
   set_up(straight);
   set_up(mixed);
@@ -46,7 +46,7 @@ TEST(Arrange, OtherNumbersAreOfNoConsequence) {
     std::vector<int> old(mixed.bodies.size());
     std::iota(old.begin(), old.end(), 0);
     std::shuffle(old.begin(), old.end(), random);
-    mixed.arrange(old);
+    mixed.renumber(old);
     step(straight);
     step(mixed);
     ASSERT_EQ(straight.events.size(), mixed.events.size());
@@ -64,29 +64,29 @@ void expect_same_events(const EventSimulation& a, const EventSimulation& b, std:
   events += a.events.size();
 }
 
-/// Mixed numbers of all bodies but the last ones of the mixture.
-std::vector<int> all_but(std::size_t bodies, std::size_t gone, std::mt19937& random) {
+/// A random permutation of all bodies without the last ones.
+std::vector<int> random_subset(std::size_t bodies, std::size_t removed, std::mt19937& random) {
   std::vector<int> old(bodies);
   std::iota(old.begin(), old.end(), 0);
   std::shuffle(old.begin(), old.end(), random);
-  old.resize(bodies - gone);
+  old.resize(bodies - removed);
   return old;
 }
 
-// Ten go and come back before the next step.
-TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
+// Ten bodies are removed and inserted again before the next step.
+TEST(BodyRenumbering, RemovalAndReinsertionChangesNoEvent) {
   EventSimulation straight, changed;
   set_up(straight);
   set_up(changed);
   std::mt19937 random(5);
   std::size_t events = 0;
   for (int n = 0; n < 20; n++) {
-    const std::vector<Body> bodies = changed.bodies;
-    const std::vector<Flight> flights = changed.flights;
-    const auto inside = changed.inside_at_edge();
-    const std::vector<int> old = all_but(bodies.size(), 10, random);
-    changed.arrange(old);
-    ListsOf(changed).check();
+    const std::vector<HardSphere> bodies = changed.bodies;
+    const std::vector<VersionedFlight> flights = changed.flights;
+    const auto inside = changed.bound_pairs_at_edge();
+    const std::vector<int> old = random_subset(bodies.size(), 10, random);
+    changed.renumber(old);
+    NeighbourListCheck(changed).check();
     std::vector<int> again(old.size()), added;
     std::iota(again.begin(), again.end(), 0);
     std::vector<int> back;
@@ -96,13 +96,13 @@ TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
       added.push_back(static_cast<int>(again.size()));
       again.push_back(-1);
     }
-    changed.arrange(again);
+    changed.renumber(again);
     for (std::size_t k = 0; k < back.size(); k++) {
       changed.bodies[added[k]] = bodies[back[k]];
       changed.flights[added[k]] = flights[back[k]];
     }
-    ASSERT_TRUE(changed.take_in(added, inside));
-    ListsOf(changed).check();
+    ASSERT_TRUE(changed.add_bodies(added, inside));
+    NeighbourListCheck(changed).check();
     step(straight);
     step(changed);
     expect_same_events(straight, changed, events);
@@ -110,22 +110,22 @@ TEST(Arrange, BodiesThatGoAndComeBackLeaveNoTrace) {
   EXPECT_GT(events, 500u);
 }
 
-// What is left goes on as if set up without those who have gone.
-TEST(Arrange, BodiesThatGoAreGone) {
+// The remaining bodies continue as in a simulation that is set up without the removed ones.
+TEST(BodyRenumbering, RemovedBodiesHaveNoFurtherEvents) {
   EventSimulation kept;
   set_up(kept);
   std::mt19937 random(7);
   std::size_t events = 0;
   for (int n = 0; n < 5; n++) {
-    kept.arrange(all_but(kept.bodies.size(), 10, random));
+    kept.renumber(random_subset(kept.bodies.size(), 10, random));
     EventSimulation anew;
     anew.pairs = kept.pairs;
-    anew.neighbourhoods().bodies_of_box = 90.0;
+    anew.neighbour_lists().bodies_in_box = 90.0;
     anew.bodies = kept.bodies;
     anew.flights = kept.flights;
-    anew.start_clock(sheared_box());
-    anew.begin_step(kept.end());  // to the same time
-    anew.set_up(1.0, kept.inside_at_edge());
+    anew.reset_time(sheared_box());
+    anew.begin_step(kept.end());  // sets the same time
+    anew.set_up(1.0, kept.bound_pairs_at_edge());
     for (int k = 0; k < 3; k++) {
       step(kept);
       step(anew);
@@ -135,19 +135,19 @@ TEST(Arrange, BodiesThatGoAreGone) {
   EXPECT_GT(events, 100u);
 }
 
-// A size that was not there before: all has to be set up.
-TEST(Arrange, AnotherSizeIsNotTakenIn) {
+// A new size requires set_up().
+TEST(BodyRenumbering, NewSizeRequiresSetUp) {
   EventSimulation simulation;
   set_up(simulation);
   std::vector<int> old(simulation.bodies.size());
   std::iota(old.begin(), old.end(), 0);
   old.push_back(-1);
-  simulation.arrange(old);
-  Body& body = simulation.bodies.back();
+  simulation.renumber(old);
+  HardSphere& body = simulation.bodies.back();
   body = simulation.bodies.front();
   body.tag = 1000;
   body.radius = 0.7;
-  EXPECT_FALSE(simulation.take_in({static_cast<int>(old.size()) - 1}, {}));
+  EXPECT_FALSE(simulation.add_bodies({static_cast<int>(old.size()) - 1}, {}));
 }
 
 }  // namespace
