@@ -15,6 +15,9 @@ LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 FENCE = re.compile(r"(^```.*?^```\s*?$|`[^`\n]+`)", re.M | re.S)
 MATHJAX = Path("/usr/share/javascript/mathjax")
 SECTIONS = (
+    ("Getting started", ("docs/getting-started/first-dem-script.md", "docs/getting-started/first-dem-script-liggghts.md",
+                         "docs/getting-started/first-coupled-bed.md", "docs/getting-started/*.md",
+                         "docs/terminology.md")),
     ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
              "docs/costs.md")),
     ("Examples", ("gallery.md", "examples/*/README.md", "examples/*/studies.md")),

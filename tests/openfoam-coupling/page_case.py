@@ -10,21 +10,18 @@ from cohesion_studies.foam_case import FoamCase
 from cohesion_tests import SOURCE
 from cohesion_tests.coupling.cases import exchange_lines
 from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.page_session import Session
 
-PAGE = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
+PAGE = "docs/openfoam-coupling/cohesiveBedFoam.md"
 
 
 class PageCase(CoupledTestCase):
     def test_runs_as_printed(self):
-        example = PAGE.read_text().split("\n## Example\n")[1].split("\n## ")[0]
-        files = dict(re.findall(r"^```\n(?://|#) (\S+)\n(.*?)^```$", example, re.M | re.S))
+        example = (SOURCE / PAGE).read_text().split("\n## Example\n")[1].split("\n## ")[0]
         empty = self.work / "empty"
         empty.mkdir(parents=True, exist_ok=True)
         case = FoamCase(empty, self.work / "printed", self._columns.environment, overwrite=True)
-        for name, text in files.items():
-            path = case.folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+        Session(PAGE, "Example").write(case.folder)
         shutil.copytree(case.folder / "0.orig", case.folder / "0")
         case.run("blockMesh")
         log = case.solve()

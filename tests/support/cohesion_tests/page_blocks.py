@@ -19,7 +19,7 @@ COMMANDS = set("""
 
 #: What begins a line of the shell, but for the programs of this package and files of the repository.
 SHELL = {"apt", "bash", "cd", "cmake", "ctest", "decomposePar", "env", "lmp", "liggghts", "module", "mpirun", "python3",
-         "source", "srun"}
+         "source", "srun", "tail"}
 
 
 class Block(NamedTuple):
