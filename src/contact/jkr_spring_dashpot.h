@@ -32,24 +32,24 @@ class JkrSpringDashpot {
   /// adhesion, mu [mass]. Throws InvalidParameter unless all are positive and 0 <= e <= 1.
   JkrSpringDashpot(double reduced_modulus, double reduced_radius, double work_of_adhesion,
                    double restitution, double reduced_mass)
-      : modulus_(reduced_modulus),
-        radius_(reduced_radius),
-        work_of_adhesion_(work_of_adhesion),
-        reduced_mass_(reduced_mass) {
+      : modulus_(reduced_modulus), radius_(reduced_radius), reduced_mass_(reduced_mass) {
     require_positive("reduced Young's modulus", reduced_modulus);
     require_positive("reduced radius", reduced_radius);
-    require_positive("work of adhesion", work_of_adhesion);
     require_positive("reduced mass", reduced_mass);
     require(std::isfinite(restitution) && restitution >= 0.0 && restitution <= 1.0, "restitution e",
             restitution, "must lie between 0 and 1");
-    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / reduced_modulus);
-    scale_ = std::cbrt(neck_ * reduced_radius);
-    inverse_cube_ = reduced_radius / std::pow(scale_, 4.0);
-    lowest_ = -tearing_gap(reduced_modulus, reduced_radius, work_of_adhesion);
+    adhere(work_of_adhesion);
     stiffness_ = 4.0 * reduced_modulus / (3.0 * reduced_radius);
     const double lost = restitution > 0.0 ? -std::log(restitution) : 0.0;
     const double part = restitution > 0.0 ? lost / std::hypot(pi, lost) : 1.0;
     damping_ = std::sqrt(5.0 * reduced_mass * stiffness_ * reduced_radius) * part;
+  }
+
+  /// The same contact with another work of adhesion. Throws InvalidParameter unless it is positive.
+  JkrSpringDashpot with_work_of_adhesion(double work_of_adhesion) const {
+    JkrSpringDashpot other = *this;
+    other.adhere(work_of_adhesion);
+    return other;
   }
 
   /// The largest pull that a contact bears, (3/2) pi w R* [force].
@@ -113,6 +113,15 @@ class JkrSpringDashpot {
       if (std::abs(step) < 1e-8 * q) break;  // the next step would be below rounding
     }
     return std::max(q, tearing);
+  }
+
+  void adhere(double work_of_adhesion) {
+    require_positive("work of adhesion", work_of_adhesion);
+    work_of_adhesion_ = work_of_adhesion;
+    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / modulus_);
+    scale_ = std::cbrt(neck_ * radius_);
+    inverse_cube_ = radius_ / std::pow(scale_, 4.0);
+    lowest_ = -tearing_gap(modulus_, radius_, work_of_adhesion);
   }
 
   double modulus_;
