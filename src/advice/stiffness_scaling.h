@@ -45,6 +45,13 @@ struct Material {
   bool is_given() const { return stiffness > 0.0; }
 };
 
+/// The material of Hertz's or JKR's contact, of which two have E* (contact::reduced_modulus).
+/// Throws InvalidParameter as that.
+inline void set_hertz(Material& m, double youngs_modulus, double poissons_ratio) {
+  m.stiffness = contact::reduced_modulus(youngs_modulus, poissons_ratio);
+  m.exponent = hertz_power;
+}
+
 /// Throws InvalidParameter unless the stiffness is positive, or 0, and finite.
 inline void require_valid(const Material& m) {
   require_non_negative("stiffness of the material", m.stiffness);
