@@ -38,9 +38,8 @@ class ElasticPair {
 
   /// The largest load under which it stays together, [force]: F_ad, or JKR's.
   double pull_off_force() const {
-    return is_jkr()
-               ? contact::JkrSpringDashpot::pull_off_force(radius_, contact_.work_of_adhesion)
-               : adhesion_.force;
+    return is_jkr() ? contact::JkrSpringDashpot::pull_off_force(radius_, contact_.work_of_adhesion)
+                    : adhesion_.force;
   }
 
   /// Approach speed below which it sticks, [length/time]; 0: never, infinite: always.
