@@ -233,7 +233,8 @@ class IntegratedContact {
             step_ * 0.5 * (before.damping + here.at.damping) * (s1 + v * v0 + s0) / 3.0;
       return;
     }
-    const contact::LawPoint middle = law_.at(0.5 * (x + x0));
+    // In the part of the way that is contact.
+    const contact::LawPoint middle = point(0.5 * (x + x0));
     const double square_middle =
         0.5 * (s0 + s1) + inverse_mass_ * (here.at.energy + before.energy - 2.0 * middle.energy);
     const double v_middle =
