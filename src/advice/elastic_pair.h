@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <variant>
 
 #include "advice/integrated_escape.h"
 #include "advice/stiffness_scaling.h"
@@ -85,7 +86,7 @@ class ElasticPair {
                                                          contact_.restitution, mass_);
   }
   contact::JkrSpringDashpot jkr() const {
-    return {contact_.modulus, radius_, contact_.work_of_adhesion, contact_.restitution, mass_};
+    return std::get<contact::JkrSpringDashpot>(contact::normal_law(contact_, radius_, mass_));
   }
   double touching_speed(double speed) const {
     return std::sqrt(speed * speed + 2.0 * adhesion_.approach_energy() / mass_);

@@ -2,6 +2,7 @@
 #include "advice/stiffness_scaling.h"
 
 #include <limits>
+#include <variant>
 
 #include "advice/integrated_escape.h"
 #include "contact/contact_parameters.h"
@@ -119,7 +120,8 @@ double escape_of_hertz(double young, double e, const hamaker::Parameters& h) {
 }
 
 contact::JkrSpringDashpot jkr(double young, double e, double w) {
-  return {hertz(young, e).modulus, reduced_radius, w, e, reduced_mass};
+  return std::get<contact::JkrSpringDashpot>(
+      contact::normal_law(hertz(young, e, w), reduced_radius, reduced_mass));
 }
 
 double escape_of_jkr(double young, double e, double w) {
