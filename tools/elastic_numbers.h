@@ -169,6 +169,8 @@ class ElasticNumbers {
            "[length]"});
     lines({name + "step", "time step, a twentieth of it",
            time / advice::steps_per_integrated_contact, "[time]"});
+    lines({name + "largest_step", "largest step without a warning, a tenth",
+           time / advice::exact_scheme.integrated_for_warning, "[time]"});
   }
 
   const ElasticRequest& request_;

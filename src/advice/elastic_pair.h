@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "advice/contact_advice.h"
 #include "advice/integrated_escape.h"
 #include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
@@ -13,9 +14,9 @@
 /// planned by. Any consistent set of units.
 namespace cohesion::advice {
 
-/// Steps that scheme exact should have in a contact without a closed form; it warns below half of
-/// them (docs/theory/hertz_contacts.md).
-inline constexpr double steps_per_integrated_contact = 20.0;
+/// Steps that scheme exact should have in a contact without a closed form, twice those below which
+/// it warns (docs/theory/hertz_contacts.md).
+inline constexpr double steps_per_integrated_contact = 2.0 * exact_scheme.integrated_for_warning;
 
 /// Numbers of it; speeds are those far away.
 class ElasticPair {

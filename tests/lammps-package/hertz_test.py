@@ -105,6 +105,12 @@ class Words(ScriptTestCase):
         # Three digits are printed.
         self.assertAlmostEqual(float(found[1]) / (soft / real), 1, delta=6e-3)
 
+    def test_a_soft_modulus_is_warned_of_with_the_keyword_of_the_material(self):
+        # Without it, at a speed of which the escape velocity is a part.
+        output = self.with_wall(self.CONTACT)
+        self.assertEqual(len(re.findall(r"WARNING: .*stiffer spring.*'material_modulus E_m nu_m' keeps", output)), 2)
+        self.assertNotIn("stiffer spring", self.with_wall(self.CONTACT + self.MATERIAL))
+
     def test_a_restart_file_has_the_material(self):
         self.goes(f"{HEAD}pair_style gran/hamaker\npair_coeff * * {self.CONTACT}{self.MATERIAL}{MOVE}"
                   "write_restart some.restart noinit\n")

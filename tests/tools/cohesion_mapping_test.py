@@ -108,6 +108,7 @@ class Contact(unittest.TestCase):
         touch = math.sqrt(found["escape_velocity"]**2 + 2 * force * (2 * 4e-10 - 4e-10**2 / 1e-7) / self.REDUCED)
         self.near(found["contact_time"], 2.87 * (self.REDUCED**2 / (self.RADIUS * self.MODULUS**2 * touch))**0.2, 2e-3)
         self.near(found["step"], found["contact_time"] / 20)
+        self.near(found["largest_step"], found["contact_time"] / 10)
         speed = math.sqrt(2 * found["well_depth"] / self.REDUCED * (1 / 0.9**2 - 1))
         self.near(found["escape_velocity"], speed)
         # By an integration of the eighth order, of 1e-8; bisected here to 1e-5.
