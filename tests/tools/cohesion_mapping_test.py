@@ -104,9 +104,12 @@ class Contact(unittest.TestCase):
         found = self.values("--hamaker", 7.49e-19, "--cutoff", 4e-10, 1e-7)
         force = 7.49e-19 * self.RADIUS / (6 * 4e-10**2)
         self.near(found["pull_off"], force)
-        # 2.87 (mu^2/(R* E*^2 v))^(1/5), three digits, of the speed at touch.
-        touch = math.sqrt(found["escape_velocity"]**2 + 2 * force * (2 * 4e-10 - 4e-10**2 / 1e-7) / self.REDUCED)
-        self.near(found["contact_time"], 2.87 * (self.REDUCED**2 / (self.RADIUS * self.MODULUS**2 * touch))**0.2, 2e-3)
+        # The largest overlap takes what comes in and what the force does; Hertz's time is that of its radius of contact.
+        overlap, coefficient = found["overlap"], 4 / 3 * self.MODULUS * math.sqrt(self.RADIUS)
+        energy = (0.5 * self.REDUCED * found["escape_velocity"]**2
+                  + force * (2 * 4e-10 - 4e-10**2 / 1e-7) + force * overlap)
+        self.near(0.4 * coefficient * overlap**2.5, energy, 1e-9)
+        self.near(found["contact_time"], 2.9432 * math.sqrt(1.25 * self.REDUCED / (coefficient * math.sqrt(overlap))), 1e-4)
         self.near(found["step"], found["contact_time"] / 20)
         self.near(found["largest_step"], found["contact_time"] / 10)
         speed = math.sqrt(2 * found["well_depth"] / self.REDUCED * (1 / 0.9**2 - 1))

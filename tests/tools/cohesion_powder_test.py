@@ -244,7 +244,7 @@ class Elastic(unittest.TestCase):
             step = found["contact_time"] / 20
             # A whole part of the gas step, and that of 0.01 s.
             self.assertTrue(0.9 * step < found["particle_step"] <= step, found)
-        # Without adhesion: 2.87 (mu^2/(R* E*^2 v))^(1/5), three digits.
+        # Without adhesion, as the last: 2.87 (mu^2/(R* E*^2 v))^(1/5), three digits.
         mu, modulus = 0.5 * 2500 * math.pi / 6 * self.D**3, self.MODULUS * 1e8 / 63e9
         self.near(found["contact_time"], 2.87 * (mu**2 / (self.RADIUS * modulus**2 * found["impact_speed"]))**0.2, 2e-3)
 

@@ -69,6 +69,18 @@ TEST(ElasticPair, ContactTimeAndOverlapAreHertzs) {
   EXPECT_NEAR(hertz.contact_time(v) / (2.94 * overlap / v), 1.0, 2e-3);
 }
 
+// What a stuck pair oscillates with about its rest, t = pi sqrt(mu/F'), is no shorter than that of
+// the slowest impact but for the 7 % by which Hertz's impact is shorter than a linear spring's.
+TEST(ElasticPair, TheContactTimeOfASlowImpactIsThatOfAStuckPair) {
+  for (const ElasticPair& pair : {jkr(0.9, 1.0), dmt(0.9, 1.0)}) {
+    const double x = pair.overlap_under(0.0);
+    const double load = 1e-3 * pair.pull_off_force();
+    const double slope = load / (pair.overlap_under(load) - x);
+    EXPECT_LT(0.9 * pair.contact_time(1e-9), pi * std::sqrt(mu / slope));
+    EXPECT_GT(2.0 * pair.contact_time(1e-9), pi * std::sqrt(mu / slope));
+  }
+}
+
 TEST(ElasticPair, RestsWhereSpringAndAdhesionBalance) {
   const double w = 0.1, k = 4.0 / 3.0 * contact_of(0.9).modulus * std::sqrt(reduced);
   const double force = 2.0 * pi * w * reduced;
