@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// cohesion-mapping: square wells and Hamaker attractions of equal head-on escape velocity.
+// cohesion-mapping: square wells and Hamaker attractions of equal head-on escape velocity, and the
+// numbers of Hertz's and JKR's contact.
 // Manual: docs/tools/cohesion-mapping.md
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "advice/law_mapping.h"
 #include "cohesion_version.h"
 #include "contact/contact_parameters.h"
+#include "elastic_numbers.h"
 #include "former_names.h"
 #include "given_once.h"
 #include "hamaker/roughness.h"
@@ -51,23 +53,38 @@ double mass(const Request& r, double radius, bool of_second) {
   return r.masses.empty() ? value * sphere_volume(radius) : value;
 }
 
-/// Throws InvalidParameter for what would have no effect.
-void require_used(const Request& r) {
+/// Throws InvalidParameter for a second particle where there is none.
+void require_one_at_wall(const Request& r) {
   for (const auto* values : {&r.radii, &r.densities, &r.masses})
     require(!r.wall || values->size() < 2, "second particle",
             values->empty() ? 0.0 : values->back(),
             "there is none beside a --wall: give one radius and one density or mass");
+}
+
+/// Throws InvalidParameter for what would have no effect.
+void require_used(const Request& r) {
+  require_one_at_wall(r);
   require(r.step == 0.0 || r.hamaker_scheme == "sampled" || r.well_scheme == "sampled",
           "time step (--step)", r.step,
           "scheme exact is the same at any step: leave it out, or choose sampled for a law");
 }
 
-advice::HeadOnPair pair_of(const Request& r) {
+PairGeometry geometry_of(const Request& r) {
   const double ri = r.radii.front(), rj = second(r.radii);
   require_positive("radius", ri);
   require_positive("radius", rj);
-  const double mi = mass(r, ri, false);
-  const double mu = r.wall ? mi : reduced_mass(mi, mass(r, rj, true));
+  return r.wall ? sphere_and_plane(ri) : two_spheres(ri, rj);
+}
+
+double reduced_mass_of(const Request& r) {
+  const double mi = mass(r, r.radii.front(), false);
+  return r.wall ? mi : reduced_mass(mi, mass(r, second(r.radii), true));
+}
+
+advice::HeadOnPair pair_of(const Request& r) {
+  const double ri = r.radii.front(), rj = second(r.radii);
+  const PairGeometry geometry = geometry_of(r);
+  const double mu = reduced_mass_of(r);
   contact::ContactParameters parameters;
   parameters.stiffness = r.stiffness;
   parameters.restitution = r.restitution;
@@ -76,8 +93,7 @@ advice::HeadOnPair pair_of(const Request& r) {
     parameters.damping = r.damping;
   }
   contact::require_valid(parameters);
-  return {contact::normal_contact(parameters, mu),
-          r.wall ? sphere_and_plane(ri) : two_spheres(ri, rj), r.wall ? ri : ri + rj};
+  return {contact::normal_contact(parameters, mu), geometry, r.wall ? ri : ri + rj};
 }
 
 const hamaker::Form* form_of(const Request& r) {
@@ -215,11 +231,7 @@ std::string current_scheme(const std::string& name) {
   });
 }
 
-void add_options(CLI::App& app, Request& r) {
-  const auto schemes = CLI::IsMember({"exact", "sampled"});
-  std::vector<std::string> forms;
-  for (const auto& form : hamaker::forms) forms.emplace_back(form.name);
-
+void add_particles(CLI::App& app, Request& r) {
   auto* radius = app.add_option("--radius", r.radii, "radius, of two unlike spheres both [length]");
   radius->required()->expected(1, 2);
   app.add_flag("--wall", r.wall, "the partner is a plane wall");
@@ -228,6 +240,15 @@ void add_options(CLI::App& app, Request& r) {
       ->expected(1, 2);
   material->add_option("--mass", r.masses, "mass in place of it, or both [mass]")->expected(1, 2);
   material->require_option(1);
+  app.add_flag("--csv", r.csv, "comma-separated values with all digits");
+}
+
+void add_options(CLI::App& app, Request& r) {
+  const auto schemes = CLI::IsMember({"exact", "sampled"});
+  std::vector<std::string> forms;
+  for (const auto& form : hamaker::forms) forms.emplace_back(form.name);
+
+  add_particles(app, r);
   app.add_option("--stiffness", r.stiffness, "K of the contact [force/length]")->required();
   auto* loss = app.add_option_group("loss");
   loss->add_option("--restitution", r.restitution, "e of a contact without cohesion");
@@ -257,7 +278,6 @@ void add_options(CLI::App& app, Request& r) {
       ->transform(current_scheme)
       ->capture_default_str();
   app.add_option("--step", r.step, "time step of scheme sampled [time]");
-  app.add_flag("--csv", r.csv, "comma-separated values with all digits");
 }
 
 }  // namespace
@@ -265,7 +285,8 @@ void add_options(CLI::App& app, Request& r) {
 int main(int argc, char** argv) {
   Request request;
   CLI::App app{
-      "Square wells and Hamaker attractions of equal head-on escape velocity.\n"
+      "Square wells and Hamaker attractions of equal head-on escape velocity, and the numbers of\n"
+      "Hertz's and JKR's contact.\n"
       "Any consistent set of units. Manual: docs/tools/cohesion-mapping.md"};
   app.set_version_flag("--version", "cohesion-mapping, Cohesion " COHESION_VERSION);
   app.require_subcommand(1);
@@ -276,6 +297,11 @@ int main(int argc, char** argv) {
   CLI::App* to_hamaker = app.add_subcommand("to-hamaker", "Hamaker constant A for depths");
   add_options(*to_hamaker, request);
   to_hamaker->add_option("--depth", request.depths, "depths D of wells [energy]")->required();
+  tools::ElasticRequest elastic;
+  CLI::App* of_contact =
+      app.add_subcommand("contact", "numbers of Hertz's and JKR's contact, and of a softer one");
+  add_particles(*of_contact, request);
+  tools::add_options(*of_contact, elastic);
   try {
     app.parse(argc, argv);
     for (const CLI::App* way : app.get_subcommands()) tools::require_given_once(*way, argc, argv);
@@ -284,6 +310,12 @@ int main(int argc, char** argv) {
   }
 
   try {
+    if (of_contact->parsed()) {
+      require_one_at_wall(request);
+      tools::ElasticNumbers(elastic, geometry_of(request), reduced_mass_of(request))
+          .print(request.csv);
+      return 0;
+    }
     require_used(request);
     const Mapping mapping(request);
     std::vector<Row> rows;

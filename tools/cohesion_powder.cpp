@@ -14,15 +14,11 @@
 #include "drag/drag_closure.h"
 #include "engine_cost.h"
 #include "given_once.h"
-#include "hamaker/range_of_validity.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
-#include "powder/parcels.h"
-#include "powder/plan.h"
-#include "powder/sizes.h"
-#include "powder/springs.h"
 #include "powder_case.h"
 #include "powder_contacts.h"
+#include "powder_numbers.h"
 #include "powder_request.h"
 #include "powder_units.h"
 #include "powder_vessel.h"
@@ -33,128 +29,8 @@ namespace {
 using namespace cohesion;
 using namespace cohesion::powder;
 using tools::Lines;
+using tools::Powder;
 using tools::Request;
-
-Sizes sizes_of(const Request& r) {
-  if (!r.percentiles.empty())
-    return Sizes::of_percentiles(r.percentiles[0], r.percentiles[1], r.percentiles[2]);
-  require(r.shares.empty() || r.shares.size() == r.diameters.size(), "number of mass shares",
-          static_cast<double>(r.shares.size()), "give one for each diameter, or none");
-  std::vector<Size> sizes;
-  for (std::size_t k = 0; k < r.diameters.size(); k++)
-    sizes.push_back({r.diameters[k], r.shares.empty() ? 1.0 : r.shares[k]});
-  return Sizes(sizes);
-}
-
-advice::Keep keep_of(const Request& r) {
-  const auto named = [&](const advice::KeepName& k) { return r.keep == k.name; };
-  return std::find_if(advice::keeps.begin(), advice::keeps.end(), named)->keep;
-}
-
-/// The numbers of a powder that the lines are made of.
-class Powder {
- public:
-  explicit Powder(const Request& r)
-      : sizes(sizes_of(r)),
-        mean{sizes.sauter(), r.density},
-        parcels(r.coarse_graining),
-        request_(r) {
-    require_lifted(mean, r.gas, r.gravity);
-    require_positive("cut-off H_cut", r.cutoffs.at(0));
-    for (const drag::Closure& closure : drag::closures)
-      fastest_fluidisation = std::max(fastest_fluidisation, fluidisation(closure));
-    const double constant = r.surface_energy > 0.0
-                                ? hamaker_of_surface_energy(r.surface_energy, r.cutoffs[0])
-                                : r.hamaker;
-    const hamaker::Asperity asperity = asperity_of(r);
-    hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), asperity.radius, asperity.height};
-    adhesion = adhesion_at(sizes.smallest());
-    const double fall = std::sqrt(2.0 * r.gravity * parcels.length(sizes.largest()));
-    speed = r.speed > 0.0 ? r.speed : std::max(2.0 * fastest_fluidisation, fall);
-    springs = springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
-                         {r.restitution,
-                          {speed, pressure_of(r.height, r.void_fraction, r.density * r.gravity)},
-                          r.overlap,
-                          keep_of(r),
-                          r.stiffness,
-                          r.elastic,
-                          well_ratio_of(r),
-                          {at_wall(sizes.smallest()), at_wall(sizes.largest())}});
-    const double per_contact =
-        r.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
-    cell = r.cell * parcels.length(sizes.largest());
-    steps = steps_within(
-        tools::PowderCase::output_interval, parcels.time(springs.used.contact_time) / per_contact,
-        longest_gas_step(cell, 2.0 * fastest_fluidisation / r.void_fraction, r.gravity));
-    velocity = 2.0 * fluidisation(find_by_name(drag::closures, "drag", r.drag));
-  }
-
-  double fluidisation(const drag::Closure& closure) const {
-    return minimum_fluidisation(closure, request_.void_fraction, mean, request_.gas,
-                                request_.gravity);
-  }
-
-  double mass(double diameter) const { return request_.density * sphere_volume(0.5 * diameter); }
-  double weight(double diameter) const { return mass(diameter) * request_.gravity; }
-
-  /// Of two grains of a diameter, with the asperities of the request.
-  contact::Adhesion adhesion_at(double diameter) const {
-    return adhesion_of(two_spheres(0.5 * diameter, 0.5 * diameter));
-  }
-  contact::Adhesion adhesion_of(const PairGeometry& geometry) const {
-    const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
-    hamaker::require_weakened_by_asperities(hamaker::forms.front(), hamaker, geometry);
-    return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
-  }
-
-  /// A grain of a diameter at a wall, which presses a spring more than two of them.
-  Borne at_wall(double diameter) const {
-    return {{diameter, mass(diameter)}, adhesion_of(sphere_and_plane(0.5 * diameter))};
-  }
-
-  /// Of the spheres that are computed, each size a type.
-  Sizes computed() const {
-    std::vector<Size> all = sizes.all();
-    for (Size& size : all) size.diameter = parcels.length(size.diameter);
-    return Sizes(all);
-  }
-  tools::PowderContacts contacts() const {
-    std::vector<double> diameters;
-    for (const Size& size : sizes.all()) diameters.push_back(parcels.length(size.diameter));
-    return {diameters,
-            request_.density,
-            parcels.stiffness(springs.used.stiffness),
-            request_.restitution,
-            request_.friction,
-            parcels.attraction(hamaker),
-            {parcels.stiffness(springs.material.stiffness), keep_of(request_)},
-            well_ratio_of(request_)};
-  }
-
-  /// Depth of the well of two grains, and of one at a wall, where the run has wells.
-  double well_depth(double diameter) const {
-    return powder::well_depth(springs.material.stiffness, request_.restitution,
-                              0.5 * mass(diameter), adhesion_at(diameter));
-  }
-  double well_depth_at_wall(double diameter) const {
-    return powder::well_depth(springs.material.stiffness, request_.restitution, mass(diameter),
-                              adhesion_of(sphere_and_plane(0.5 * diameter)));
-  }
-
-  Sizes sizes;
-  Grain mean;
-  Parcels parcels;
-  double fastest_fluidisation = 0.0;  // by the closures
-  double speed;                       // of impacts
-  hamaker::Parameters hamaker;
-  contact::Adhesion adhesion;  // of two of the smallest
-  Springs springs;             // of the grains
-  Steps steps;                 // of the run
-  double cell, velocity;       // of the run
-
- private:
-  const Request& request_;
-};
 
 void print_powder(const Lines& print, const Request& r, const Powder& p) {
   print.heading("Powder and gas");
@@ -181,7 +57,11 @@ void print_powder(const Lines& print, const Request& r, const Powder& p) {
 
 void print_adhesion(const Lines& print, const Powder& p) {
   print.heading("Cohesion, two of the smallest grains");
-  print({"hamaker", "Hamaker constant A", p.hamaker.hamaker_constant, "J"});
+  if (p.contacts().is_jkr())
+    print({"work_of_adhesion", "work of adhesion of two surfaces",
+           p.elastic->material.contact().work_of_adhesion, "J/m2"});
+  else
+    print({"hamaker", "Hamaker constant A", p.hamaker.hamaker_constant, "J"});
   print({"pull_off", "pull-off force F_ad", p.adhesion.force, "N"});
   print({"bond", "Bond number F_ad/(m g)", p.adhesion.force / p.weight(p.sizes.smallest()), "1"});
   if (p.sizes.largest() > p.sizes.smallest())
@@ -212,6 +92,30 @@ void print_well(const Lines& print, const Request& r, const Powder& p) {
            "hamaker\n";
 }
 
+/// Of Hertz's and JKR's contact.
+void print_elastic(const Lines& print, const Request& r, const Powder& p) {
+  const ElasticContacts& c = *p.elastic;
+  const double tabor = p.tabor(), d = p.sizes.smallest();
+  if (tabor > 0.0) print({"tabor", "Tabor's parameter of the material", tabor, "1"});
+  print({"material_modulus", "Young's modulus of the material", r.elastic.young, "Pa"});
+  print(
+      {"material_escape", "escape velocity of the material", c.material.escape_velocity(), "m/s"});
+  print({"modulus", "Young's modulus of the run", c.young, "Pa"});
+  print({"contact_time", "contact time of the run", c.used.contact_time(p.speed), "s"});
+  print({"impact_overlap", "overlap of an impact over the diameter",
+         c.used.largest_overlap(p.speed) / d, "1"});
+  print(
+      {"escape_over_material", "escape velocity over the material's", c.over.escape_velocity, "1"});
+  print({"pull_off_over_material", "pull-off force over the material's", c.over.force, "1"});
+  if (r.is_jkr() && tabor < 0.1)
+    std::cerr << "cohesion-powder: Tabor's parameter is " << tabor << ", and JKR's contact is of "
+              << "soft, large and sticky grains (above 5): take --contact hertz\n";
+  if (!r.is_jkr() && tabor > 5.0 && p.hamaker.asperity_radius == 0.0)
+    std::cerr << "cohesion-powder: Tabor's parameter is " << tabor << ", and an attraction around "
+              << "Hertz's contact is of hard, small grains (below 0.1): take --contact jkr with "
+              << "--surface-energy\n";
+}
+
 void print_contact(const Lines& print, const Request& r, const Powder& p) {
   const Springs& s = p.springs;
   print.heading("Contact of two of the smallest grains");
@@ -220,6 +124,7 @@ void print_contact(const Lines& print, const Request& r, const Powder& p) {
     print({"hertz_time", "contact time, Hertz",
            hertz_contact_time(r.elastic, p.sizes.smallest(), p.mass(p.sizes.smallest()), p.speed),
            "s"});
+  if (p.elastic) return print_elastic(print, r, p);
   print({"material_stiffness", "stiffness of the material, linear", s.material.stiffness, "N/m"});
   print({"material_escape", "escape velocity of the material", s.material.escape_velocity, "m/s"});
   print({"stiffness", "stiffness of the springs", s.used.stiffness, "N/m"});

@@ -17,6 +17,13 @@
 
 namespace cohesion::tools {
 
+/// Hertz's or JKR's contact in place of linear springs. SI units.
+struct ElasticWords {
+  double young = 0.0, poisson = 0.0;  ///< of the run; E 0: springs are linear
+  double of_material = 0.0;           ///< E that it stands for
+  double surface_energy = 0.0;        ///< of JKR's contact; 0: Hertz's
+};
+
 /// How the engines' scripts name the contacts of spheres of some sizes. SI units.
 struct PowderContacts {
   std::vector<double> diameters;  ///< of atom types 1, 2, ..
@@ -25,17 +32,24 @@ struct PowderContacts {
   hamaker::Parameters hamaker;
   advice::Material material;  ///< that the springs stand for
   double well_ratio = 0.0;    ///< r_out/r of wells in place of the attraction; 0: no wells
+  ElasticWords elastic{};     ///< in place of `stiffness` and that of `material`
 
   bool has_wells() const { return well_ratio > 0.0; }
+  bool is_elastic() const { return elastic.young > 0.0; }
+  bool is_jkr() const { return elastic.surface_energy > 0.0; }
 
   /// Whether the attraction is that of a stiffer material: else material_stiffness changes nothing.
   bool tells_material() const {
+    if (is_elastic())
+      return elastic.of_material != elastic.young && (hamaker.hamaker_constant > 0.0 || is_jkr());
     return !has_wells() && material.stiffness != stiffness && hamaker.hamaker_constant > 0.0;
   }
 
   /// LAMMPS' pair_style, and its pair_coeffs: one for all types, or with wells, each two of which
   /// have a depth of their own, one for each two. lammps_for_all(): that of the first for all.
-  std::string lammps_style() const { return has_wells() ? "gran/square_well" : "gran/hamaker"; }
+  std::string lammps_style() const {
+    return has_wells() ? "gran/square_well" : is_jkr() ? "gran/jkr" : "gran/hamaker";
+  }
   std::string lammps_for_all() const {
     return "pair_coeff * * " + (has_wells() ? lammps_well(pair(0, 0)) : lammps());
   }
@@ -67,8 +81,11 @@ struct PowderContacts {
     return walls;
   }
 
-  /// Words of LAMMPS' pair_coeff and walls of gran/hamaker.
+  /// Words of LAMMPS' pair_coeff and walls of gran/hamaker and gran/jkr.
   std::string lammps() const {
+    if (is_jkr())
+      return lammps_contact() + text(" surface_energy %.6g", elastic.surface_energy) +
+             lammps_material();
     std::string words =
         lammps_contact() + text(" hamaker %.6g cutoff %.6g %.6g", hamaker.hamaker_constant,
                                 hamaker.surface_cutoff, hamaker.outer_cutoff);
@@ -78,9 +95,7 @@ struct PowderContacts {
     } else if (hamaker.asperity_radius > 0.0) {
       words += text(" asperity %.6g", hamaker.asperity_radius);
     }
-    if (tells_material())
-      words += text(" material_stiffness %.6g material_keep ", material.stiffness) + kept();
-    return words;
+    return words + lammps_material();
   }
 
   /// LIGGGHTS' properties, a fix each; the last type is that of the walls. Its dashpot is of the
@@ -91,6 +106,7 @@ struct PowderContacts {
     const auto dashpot = [&](double mass) {
       return LinearSpringDashpot::from_restitution(stiffness, restitution, mass).damping();
     };
+    if (is_elastic()) return liggghts_hertz();
     std::vector<std::string> lines{
         matrix("kn", [&](const Pair&) { return stiffness; }),
         matrix("kt", [&](const Pair&) { return tangential * stiffness; }),
@@ -100,13 +116,10 @@ struct PowderContacts {
     if (hamaker.hamaker_constant == 0.0) return lines;
     if (has_wells()) {
       lines.push_back(matrix("wellDepth", [&](const Pair& p) { return depth(p); }));
-      lines.push_back(ratios());
+      lines.push_back(of_types("wellRatio", well_ratio, 1.0));  // a wall's is not used
       return lines;
     }
-    lines.push_back(
-        matrix("hamakerConstant", [&](const Pair& p) { return smooth_constant(p.geometry); }));
-    lines.push_back(scalar("hamakerSurfaceCutoff", hamaker.surface_cutoff));
-    lines.push_back(scalar("hamakerOuterCutoff", hamaker.outer_cutoff));
+    append_liggghts_attraction(lines, hamaker);
     if (tells_material())
       lines.push_back(matrix("materialStiffness", [&](const Pair&) { return material.stiffness; }));
     return lines;
@@ -114,15 +127,17 @@ struct PowderContacts {
 
   /// The models that go with these properties, and their keywords.
   std::string liggghts_model() const {
-    const std::string engine = "model hooke/stiffness tangential history";
+    const std::string engine = std::string("model ") +
+                               (is_elastic() ? "hertz" : "hooke/stiffness") + " tangential history";
+    if (is_jkr()) return engine + " cohesion jkr";
     if (hamaker.hamaker_constant == 0.0) return engine;
     return engine + " cohesion " + (has_wells() ? "square_well" : "hamaker");
   }
   std::string liggghts_keywords() const {
-    std::string words = "absolute_damping on tangential_damping on";
-    if (hamaker.hamaker_constant == 0.0) return words;
-    words += " scheme exact";
-    if (tells_material()) words += " material_stiffness on material_keep " + kept();
+    std::string words =
+        is_elastic() ? "tangential_damping on" : "absolute_damping on tangential_damping on";
+    if (tells_material() && !is_elastic())
+      words += " material_stiffness on material_keep " + kept();
     return words;
   }
 
@@ -149,7 +164,16 @@ struct PowderContacts {
   }
 
   std::string lammps_contact() const {
+    if (is_elastic())
+      return text("normal hertz %.6g %.6g restitution %.6g friction %.6g", elastic.young,
+                  elastic.poisson, restitution, friction);
     return text("stiffness %.6g restitution %.6g friction %.6g", stiffness, restitution, friction);
+  }
+  std::string lammps_material() const {
+    if (!tells_material()) return "";
+    return (is_elastic() ? text(" material_modulus %.6g %.6g", elastic.of_material, elastic.poisson)
+                         : text(" material_stiffness %.6g", material.stiffness)) +
+           " material_keep " + kept();
   }
   std::string lammps_well(const Pair& p) const {
     return lammps_contact() + text(" well %.6g %.12g", depth(p), well_ratio);
@@ -164,8 +188,40 @@ struct PowderContacts {
                    attraction));
   }
 
+  /// Of model hertz, whose material the engine does not scale from: the attraction is scaled here.
+  std::vector<std::string> liggghts_hertz() const {
+    std::vector<std::string> lines;
+    // Outside of what the engine takes for plausible.
+    if (elastic.young < 5e6) lines.push_back("soft_particles yes");
+    if (elastic.young > 1e9) lines.push_back("hard_particles yes");
+    const std::vector<std::string> properties{
+        of_types("youngsModulus", elastic.young, elastic.young),
+        of_types("poissonsRatio", elastic.poisson, elastic.poisson),
+        matrix("coefficientRestitution", [&](const Pair&) { return restitution; }),
+        matrix("coefficientFriction", [&](const Pair&) { return friction; })};
+    lines.insert(lines.end(), properties.begin(), properties.end());
+    const advice::Material real{elastic.of_material, material.keep, advice::hertz_power};
+    // Of two of one material E* goes with E.
+    if (is_jkr()) {
+      const double energy = advice::for_stiffness(elastic.young, real, elastic.surface_energy);
+      lines.push_back(matrix("surfaceEnergy", [&](const Pair&) { return energy; }));
+      return lines;
+    }
+    if (hamaker.hamaker_constant == 0.0) return lines;
+    append_liggghts_attraction(lines, advice::for_stiffness(elastic.young, real, hamaker));
+    return lines;
+  }
+
+  void append_liggghts_attraction(std::vector<std::string>& lines,
+                                  const hamaker::Parameters& used) const {
+    lines.push_back(matrix("hamakerConstant",
+                           [&](const Pair& p) { return smooth_constant(used, p.geometry); }));
+    lines.push_back(scalar("hamakerSurfaceCutoff", used.surface_cutoff));
+    lines.push_back(scalar("hamakerOuterCutoff", used.outer_cutoff));
+  }
+
   /// A of smooth surfaces whose pull-off force is that of the attraction.
-  double smooth_constant(const PairGeometry& g) const {
+  static double smooth_constant(const hamaker::Parameters& hamaker, const PairGeometry& g) {
     if (hamaker.asperity_radius == 0.0) return hamaker.hamaker_constant;
     const double force = std::visit([&](const auto& law) { return law.adhesion_force(g); },
                                     hamaker::forms.front().law(hamaker, true));
@@ -192,11 +248,11 @@ struct PowderContacts {
     return line;
   }
 
-  /// r_out/r of each type; a wall's is not used.
-  std::string ratios() const {
-    std::string line = "fix wellRatio all property/global wellRatio peratomtype";
-    for (std::size_t i = 0; i < diameters.size(); i++) line += text(" %.12g", well_ratio);
-    return line + " 1";
+  /// A property of each type, and of the walls.
+  std::string of_types(const char* name, double value, double of_wall) const {
+    std::string line = "fix " + std::string(name) + " all property/global " + name + " peratomtype";
+    for (std::size_t i = 0; i < diameters.size(); i++) line += text(" %.12g", value);
+    return line + text(" %.12g", of_wall);
   }
 
   static std::string scalar(const char* name, double value) {

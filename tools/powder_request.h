@@ -22,7 +22,9 @@ struct Request {
   std::vector<double> diameters, shares, percentiles;
   double density = 0.0;
   powder::Elastic elastic{0.0, 0.3};
-  double stiffness = 0.0;  // of the springs; 0: the softest that will do
+  std::string contact = "linear";
+  double stiffness = 0.0;   // of the springs; 0: the softest that will do
+  double soft_young = 0.0;  // of Hertz's and JKR's contact; 0: the same
   double overlap = 0.01;
   double restitution = 0.9, friction = 0.3;
   double hamaker = 0.0, surface_energy = 0.0, asperity = 0.0;
@@ -45,6 +47,9 @@ struct Request {
   std::string folder;  // of a case to write
   double grains = 20000.0;
   unsigned seed = 4711;
+
+  bool is_jkr() const { return contact == "jkr"; }
+  bool is_elastic() const { return contact != "linear"; }
 };
 
 inline void add_gas_options(CLI::App& app, Request& r) {
@@ -79,6 +84,11 @@ inline void add_options(CLI::App& app, Request& r) {
   springs->add_option("--stiffness", r.stiffness, "of the springs of the run [N/m]")
       ->check(CLI::PositiveNumber);
   springs->require_option(1, 2);
+  app.add_option("--contact", r.contact, "law of the contact")
+      ->check(CLI::IsMember({"linear", "hertz", "jkr"}))
+      ->capture_default_str();
+  app.add_option("--soft-young", r.soft_young, "Young's modulus of the run, hertz and jkr [Pa]")
+      ->check(CLI::PositiveNumber);
   app.add_option("--poisson", r.elastic.poisson, "Poisson's ratio")->capture_default_str();
   app.add_option("--restitution", r.restitution, "without cohesion")
       ->check(CLI::Range(0.01, 1.0))
@@ -176,6 +186,26 @@ inline double well_ratio_of(const Request& r) {
   return r.well_ratio > 0.0 ? r.well_ratio : powder::usual_well_ratio;
 }
 
+/// The part of require_together() about Hertz's and JKR's contact.
+inline void require_contact(const Request& r) {
+  if (!r.is_elastic()) {
+    require(r.soft_young == 0.0, "Young's modulus of the run", r.soft_young,
+            "is of --contact hertz and jkr: give --stiffness");
+    return;
+  }
+  require(r.stiffness == 0.0, "stiffness K", r.stiffness,
+          "is of linear springs: with --contact " + r.contact + " give --young and --soft-young");
+  require(r.soft_young <= r.elastic.young, "Young's modulus of the run", r.soft_young,
+          "must not be above that of the material, --young");
+  require(r.law == "hamaker", "square well", r.well_ratio,
+          "stands for the cohesion of --contact linear alone");
+  if (!r.is_jkr()) return;
+  require(r.surface_energy > 0.0, "surface energy", r.surface_energy,
+          "--contact jkr takes its cohesion from --surface-energy");
+  require(asperity_of(r).radius == 0.0, "asperity radius", asperity_of(r).radius,
+          "JKR's contact is of smooth spheres: take --contact hertz");
+}
+
 /// Throws InvalidParameter for what would have no effect, and where what belongs together is not.
 inline void require_together(const Request& r) {
   require(r.shares.empty() || r.percentiles.empty(), "mass share",
@@ -193,6 +223,7 @@ inline void require_together(const Request& r) {
           "a square well stands for a cohesion: give --hamaker or --surface-energy");
   require(!well || r.keep == "velocity", "pull-off force", 0.0,
           "a square well has none to keep: leave --keep out");
+  require_contact(r);
   const double asperity = asperity_of(r).radius;
   require(asperity == 0.0 || well || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
           asperity,

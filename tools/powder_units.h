@@ -54,6 +54,7 @@ inline void require_si(const Request& r) {
       // The lightest solids are foams and aerogels; osmium has 22.6 g/cm3.
       {"--density", {r.density}, 23.0, 23000.0, "kg/m3", {{"g/cm3", 1e3}}},
       {"--young", {r.elastic.young}, 1e3, 2e12, "Pa", {{"GPa", 1e9}, {"MPa", 1e6}}},
+      {"--soft-young", {r.soft_young}, 1e3, 2e12, "Pa", {{"GPa", 1e9}, {"MPa", 1e6}}},
       {"--hamaker", {r.hamaker}, 1e-23, 1e-17, "J", {{"zJ", 1e-21}, {"e-20 J", 1e-20}}},
       {"--surface-energy", {r.surface_energy}, 1e-6, 10.0, "J/m2", {{"mJ/m2", 1e-3}}},
       {"--cutoff", r.cutoffs, 1e-11, 1e-4, "m", small},

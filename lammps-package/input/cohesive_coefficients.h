@@ -41,6 +41,7 @@ class CohesiveCoefficients : protected Pointers {
   void start() {
     parameters_.commit();
     laws_.assign(parameters_.size(), cohesion_.no_law());
+    contacts_.assign(parameters_.size(), {});
     prepared_.assign(parameters_.size(), false);
     has_other_ranges_ = false;
   }
@@ -84,8 +85,9 @@ class CohesiveCoefficients : protected Pointers {
   int pairs_of_types() const { return parameters_.size(); }
   /// The number of a pair of types.
   int of_types(int i, int j) const { return parameters_.number(i, j); }
+  /// That acts, from prepare() on.
   const cohesion::contact::ContactParameters& contact(int of_types) const {
-    return parameters_[of_types].contact;
+    return contacts_[of_types];
   }
   cohesion::advice::Material material(int of_types) const {
     return Cohesion::material(parameters_[of_types]);
@@ -157,8 +159,9 @@ class CohesiveCoefficients : protected Pointers {
   Cohesion cohesion_;
   TypePairTable<Parameters> parameters_;
   std::vector<typename Cohesion::Law> laws_;  // by of_types(); of a scaled adhesion, if wished
-  std::vector<bool> prepared_;                // the same
-  std::vector<double> ranges_;                // the same, of particles of radius 1
+  std::vector<cohesion::contact::ContactParameters> contacts_;  // the same
+  std::vector<bool> prepared_;                                  // the same
+  std::vector<double> ranges_;  // the same, of particles of radius 1
   bool has_other_ranges_ = false;
 };
 
@@ -201,6 +204,7 @@ double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, do
   const Parameters scaled = cohesion_.scaled(lmp, here, parameters_(i, j));
   laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
   laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
+  contacts_[of_types(i, j)] = contacts_[of_types(j, i)] = scaled.contact;
   prepared_[of_types(i, j)] = prepared_[of_types(j, i)] = true;
   return Cohesion::range(scheme_, scaled, radius_i, radius_j);
 }

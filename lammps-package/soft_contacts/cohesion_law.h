@@ -38,8 +38,6 @@ class CohesionLaw {
   static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
   /// Keywords of the style besides `scheme`, one value each.
   static constexpr std::array<const char*, 0> SETTINGS{};
-  /// How a script tells the material of a contact.
-  static constexpr char MATERIAL_WORDS[] = "";
   /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
   static constexpr bool HAS_CONTACT = true;
   /// Whether a pair is bound within the range of the attraction, range() of scheme sampled, and
@@ -83,6 +81,8 @@ class CohesionLaw {
   void restore_settings(int) {}
 
   static cohesion::advice::Material material(const Parameters&) { return {}; }
+  /// How a script names the material of a contact; empty: it cannot.
+  static const char* material_words(const cohesion::contact::ContactParameters&) { return ""; }
   /// What to say of numbers that no material has; empty: nothing.
   static std::string doubt(const LAMMPS*, const Parameters&) { return ""; }
   /// The parameters of a run.

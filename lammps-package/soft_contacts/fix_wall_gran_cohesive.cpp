@@ -175,7 +175,7 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
         fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
         Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
     advised.back().material = Cohesion::material(parameters);
-    advised.back().material_words = Cohesion::MATERIAL_WORDS;
+    advised.back().material_words = Cohesion::material_words(parameters.contact);
     advised.back().doubt = Cohesion::doubt(lmp, parameters);
   }
   return advised;

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "hamaker_cohesion.h"
 
-#include "comm.h"
 #include "hamaker_keywords.h"
-#include "named_table.h"
+#include "material_keywords.h"
 
 using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;
 
 static cohesion::hamaker::Parameters& hamaker_of(Parameters& p) { return p.hamaker; }
+static cohesion::advice::Material& material_of(Parameters& p) { return p.material; }
 
 std::vector<ContactKeyword<Parameters>> HamakerCohesion::keywords() {
-  using P = Parameters;
-  auto rows = hamaker_keywords<P, &hamaker_of>();
-  rows.push_back(
-      {"material_stiffness", 1, [](P& p, const double* v) { p.material.stiffness = v[0]; }});
-  rows.push_back({"material_keep", 1, nullptr, [](P& p, const char* word, const double*) {
-                    p.material.keep =
-                        cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
-                  }});
+  auto rows = hamaker_keywords<Parameters, &hamaker_of>();
+  const auto material = material_keywords<Parameters, &material_of>(true);
+  rows.insert(rows.end(), material.begin(), material.end());
   return rows;
 }
 
@@ -28,18 +23,10 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
     lmp->error->all(FLERR,
                     where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
   require_one_roughness(lmp, where, given);
-  if (given.has("material_keep") && !given.has("material_stiffness"))
-    lmp->error->all(FLERR, where +
-                               ": keyword 'material_keep' needs 'material_stiffness K_m', the "
-                               "stiffness of the material");
-  if (given.has("material_stiffness") && p.contact.is_hertz())
-    lmp->error->all(FLERR,
-                    where +
-                        ": material_stiffness is of linear springs; with 'normal hertz' give "
-                        "E of the contact, and hamaker and cutoff as they are to act");
+  require_material(lmp, where, p.contact, given);
   from_script(lmp, where, [&] {
     cohesion::hamaker::require_valid(p.hamaker);
-    cohesion::require_non_negative("material_stiffness", p.material.stiffness);
+    cohesion::advice::require_valid(p.material);
     return true;
   });
 }
@@ -61,21 +48,22 @@ void HamakerCohesion::set(LAMMPS* lmp, const std::string& where, const std::stri
   form_ = hamaker_form_from_script(lmp, where, value);
 }
 
+const char* HamakerCohesion::material_words(const cohesion::contact::ContactParameters& contact) {
+  return LAMMPS_NS::material_words(contact);
+}
+
 Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
   namespace advice = cohesion::advice;
   const cohesion::hamaker::Parameters real = p.hamaker;
-  const bool scales =
-      real.hamaker_constant > 0.0 && advice::is_scaled(p.material, p.contact.stiffness);
+  const double stiffness = advice::stiffness_of(p.contact);
+  const bool scales = real.hamaker_constant > 0.0 && advice::is_scaled(p.material, stiffness);
   if (scales && (form_->name != "small_gap" || real.asperity_radius > 0.0))
-    lmp->error->all(FLERR, where +
-                               ": material_stiffness scales the form small_gap only, without "
-                               "asperities; 'material_keep force' leaves any adhesion as it is");
-  p.hamaker = from_script(
-      lmp, where, [&] { return advice::for_stiffness(p.contact.stiffness, p.material, real); });
-  const std::string told = advice::scaling_note(p.contact.stiffness, p.material, real, p.hamaker);
-  if (told_[where] != told && !told.empty() && lmp->comm->me == 0)
-    utils::logmesg(lmp, where + ": " + told + "\n");
-  told_[where] = told;
+    lmp->error->all(FLERR, where + ": " + material_words(p.contact) +
+                               " scales the form small_gap only, without asperities; "
+                               "'material_keep force' leaves any adhesion as it is");
+  p.hamaker =
+      from_script(lmp, where, [&] { return advice::for_stiffness(stiffness, p.material, real); });
+  notes_.print(lmp, where, advice::scaling_note(stiffness, p.material, real, p.hamaker));
   return p;
 }
 

@@ -3,7 +3,6 @@
 #define COHESION_HAMAKER_COHESION_H
 
 #include <array>
-#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "hamaker/forms.h"
 #include "plausible_sizes.h"
 #include "sampled_contact/sampled_hamaker.h"
+#include "scaling_notes.h"
 
 namespace LAMMPS_NS {
 
@@ -24,8 +24,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr std::array SETTINGS{"form"};
-  static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 8;
+  static constexpr int RESTART_LAYOUT = 9;
   static constexpr bool BINDS_IN_RANGE = true;
 
   /// What a script says about the contact of two materials.
@@ -56,6 +55,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
 
   static cohesion::advice::Material material(const Parameters& p) { return p.material; }
+  static const char* material_words(const cohesion::contact::ContactParameters&);
   static std::string doubt(const LAMMPS* lmp, const Parameters& p) {
     return cohesion::advice::above_hamaker_constants(p.hamaker.hamaker_constant, si_units(lmp));
   }
@@ -84,7 +84,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
       return {law, geometry};
   }
 
-  std::map<std::string, std::string> told_;  // what scaled() has printed, by `where`
+  ScalingNotes notes_;
   const cohesion::hamaker::Form* form_ = cohesion::hamaker::forms.data();
 };
 

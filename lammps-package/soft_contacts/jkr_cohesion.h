@@ -8,22 +8,20 @@
 #include "cohesion_law.h"
 #include "contact/jkr_spring_dashpot.h"
 #include "contact_solver/jkr_solver.h"
+#include "material_keywords.h"
 #include "sampled_contact/sampled_bridge.h"
+#include "scaling_notes.h"
 #include "sphere.h"
 
 namespace LAMMPS_NS {
 
-/// Besides the contact, which has all numbers of JKR's.
-struct NoFurtherLaw {};
-inline void require_valid(const NoFurtherLaw&) {}
-inline NoFurtherLaw mixed(const NoFurtherLaw&, const NoFurtherLaw&) { return {}; }
-
-/// JKR's contact as gran/jkr and wall/gran/jkr take it.
-class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
+/// JKR's contact as gran/jkr and wall/gran/jkr take it: the contact has all numbers of JKR's, and
+/// the law is the material that it stands for.
+class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
  public:
   static constexpr char STYLE[] = "gran/jkr";
   static constexpr char COEFFICIENTS[] = "normal hertz E nu surface_energy gamma ...'";
-  static constexpr int RESTART_LAYOUT = 1;
+  static constexpr int RESTART_LAYOUT = 2;
 
   using Solver = cohesion::contact_solver::JkrSolver;
   /// Never used: scheme sampled has linear springs only.
@@ -34,14 +32,17 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
   };
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
-    return {{"surface_energy", 1, [](Parameters& p, const double* v) {
-               cohesion::contact::set_surface_energy(p.contact, v[0]);
-             }}};
+    auto rows = material_keywords<Parameters, &material_of>(false);
+    rows.push_back({"surface_energy", 1, [](Parameters& p, const double* v) {
+                      cohesion::contact::set_surface_energy(p.contact, v[0]);
+                    }});
+    return rows;
   }
-  static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters&,
+  static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
                             const GivenKeywords& given) {
     if (!given.has("normal") || !given.has("surface_energy"))
       lmp->error->all(FLERR, where + ": needs 'normal hertz E nu' and 'surface_energy gamma'");
+    require_material(lmp, where, p.contact, given);
   }
   /// Up to where a neck tears.
   static double range(Scheme, const Parameters& p, double radius_i, double radius_j) {
@@ -50,6 +51,20 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
                                                             p.contact.work_of_adhesion);
   }
 
+  static cohesion::advice::Material material(const Parameters& p) { return p.law; }
+  static const char* material_words(const cohesion::contact::ContactParameters& contact) {
+    return LAMMPS_NS::material_words(contact);
+  }
+  /// With the work of adhesion scaled to the modulus; what was done is printed.
+  Parameters scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
+    namespace advice = cohesion::advice;
+    const double modulus = advice::stiffness_of(p.contact), real = p.contact.work_of_adhesion;
+    p.contact.work_of_adhesion =
+        from_script(lmp, where, [&] { return advice::for_stiffness(modulus, p.law, real); });
+    notes_.print(lmp, where,
+                 advice::scaling_note(modulus, p.law, real, p.contact.work_of_adhesion));
+    return p;
+  }
   Law law(LAMMPS*, const std::string&, const Parameters& p) const {
     return {p.contact.work_of_adhesion};
   }
@@ -67,6 +82,11 @@ class JkrCohesion : public CohesionLaw<NoFurtherLaw> {
     pull.forms_at_touch = true;
     return pull;
   }
+
+ private:
+  static cohesion::advice::Material& material_of(Parameters& p) { return p.law; }
+
+  ScalingNotes notes_;
 };
 
 }  // namespace LAMMPS_NS

@@ -169,7 +169,7 @@ std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
                           coefficients.template attraction<cohesion::contact::Adhesion>(
                               types, a.radius, b.radius)));
       contacts.back().material = coefficients.material(types);
-      contacts.back().material_words = Cohesion::MATERIAL_WORDS;
+      contacts.back().material_words = Cohesion::material_words(coefficients.contact(types));
       contacts.back().doubt = coefficients.doubt(types);
     }
   return contacts;

@@ -157,10 +157,25 @@ inline void add(std::vector<SharedNote>& notes, const std::string& sentence,
   notes.push_back({sentence, {contact}});
 }
 
-inline std::string over_material_sentence(const ContactNumbers& n, const Material& material) {
-  const OverMaterial over = over_material(n.contact(), material);
-  return number("stiffness %.6g", n.parameters().stiffness) +
-         number(" for %.6g of the material", material.stiffness) +
+/// K of a linear spring, or E*.
+inline double stiffness_of(const ContactSprings& s) {
+  return s.exponent == linear_power ? s.stiffness : s.modulus;
+}
+
+inline std::string over_material_sentence(const AdvisedContact& c, const RunNumbers& run) {
+  const double stiffness = stiffness_of(c.springs);
+  const OverMaterial over =
+      over_material(c.material, stiffness, c.adhesion, [&](const contact::Adhesion& adhesion) {
+        AdvisedContact other = c;
+        other.adhesion = adhesion;
+        // Its pull-off force is that of its work of adhesion.
+        if (c.springs.jkr)
+          other.springs.jkr = c.springs.jkr->with_work_of_adhesion(
+              adhesion.force / c.adhesion.force * c.springs.jkr->work_of_adhesion());
+        return escape_velocity(other, run);
+      });
+  return name_of_stiffness(c.material) + number(" %.6g", stiffness) +
+         number(" for %.6g of the material", c.material.stiffness) +
          number(": escape velocity %.3g", over.escape_velocity) +
          number(", pull-off force %.3g times the material's", over.force);
 }
@@ -171,12 +186,12 @@ inline void add_softness(Report& report, const std::string& style,
                          const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
   std::vector<SharedNote> scaled, soft;
   for (const AdvisedContact& c : contacts) {
-    if (!c.moves() || c.adhesion.force == 0.0 || c.springs.jkr) continue;
-    const ContactNumbers n = numbers(c, run);
-    if (!c.material.is_given() && softness_decides(n))
+    if (!c.moves() || c.adhesion.force == 0.0) continue;
+    // JKR's spring and adhesion are one, which no numbers of the contact tell apart.
+    if (!c.material.is_given() && !c.springs.jkr && softness_decides(numbers(c, run)))
       add(soft, softness_advice(c.material_words), c.name);
-    if (c.material.is_given() && c.material.stiffness != n.parameters().stiffness)
-      add(scaled, over_material_sentence(n, c.material), c.name);
+    if (c.material.is_given() && c.material.stiffness != stiffness_of(c.springs))
+      add(scaled, over_material_sentence(c, run), c.name);
   }
   for (const SharedNote& note : scaled)
     report.table += "  " + note.sentence + " (" + note.names() + ")\n";

@@ -30,6 +30,8 @@ struct ContactSprings {
   /// JKR's contact, for which the springs of Hertz's stand.
   std::optional<contact::JkrSpringDashpot> jkr = {};
 
+  double modulus = 0.0;  ///< E* of Hertz's and JKR's contact, where known, [force/length^2]
+
   /// Of p = 3/2, on the reduced mass mu [mass].
   contact::HertzSpringDashpot hertz(double reduced_mass) const {
     const double root = std::sqrt(overlap);
@@ -58,6 +60,7 @@ inline ContactSprings springs_of(const contact::ContactParameters& p, double red
   } else {
     s.overlap = small * reduced_radius;
     s.exponent = 1.5;
+    s.modulus = p.modulus;
     const contact::LawPoint at = std::get<contact::HertzSpringDashpot>(law).at(s.overlap);
     s.stiffness = at.force / s.overlap;
     s.damping = at.damping;

@@ -20,18 +20,27 @@ struct OverMaterial {
   double force;            ///< F_ad
 };
 
-/// `contact`: with the adhesion that it has. The material's has the same mass and restitution.
-/// Throws InvalidParameter unless the material is given.
+/// Of a contact of `stiffness` (stiffness_of()) with the adhesion `used`. escape_of(adhesion): the
+/// escape velocity that it has with another; with that of its material scaled to it, it has the
+/// material's (StiffnessScaling). Throws InvalidParameter unless the material is given.
+template <class EscapeOf>
+OverMaterial over_material(const Material& material, double stiffness,
+                           const contact::Adhesion& used, const EscapeOf& escape_of) {
+  const StiffnessScaling scaling(material, stiffness);
+  if (material.keep == Keep::escape_velocity) return {1.0, scaling.factor()};
+  const double escape = escape_of(used);
+  const bool both_part = escape > 0.0 && std::isfinite(escape);
+  return {both_part ? escape / escape_of(scaling.adhesion(used)) : 1.0, 1.0};
+}
+
+/// Of a linear contact.
 inline OverMaterial over_material(const contact::AdhesiveContact& contact,
                                   const Material& material) {
-  const StiffnessScaling to_material(contact.spring().stiffness(), material.stiffness);
-  const contact::Adhesion& used = contact.adhesion();
-  const contact::Adhesion real = material.keep == Keep::force ? used : to_material.adhesion(used);
-  const double escape = contact.escape_velocity();
-  const double real_escape =
-      contact::AdhesiveContact(to_material.spring(contact.spring()), real).escape_velocity();
-  const bool both_part = escape > 0.0 && std::isfinite(escape);
-  return {both_part ? escape / real_escape : 1.0, used.force / real.force};
+  return over_material(
+      material, contact.spring().stiffness(), contact.adhesion(),
+      [&](const contact::Adhesion& adhesion) {
+        return contact::AdhesiveContact(contact.spring(), adhesion).escape_velocity();
+      });
 }
 
 /// Below this fraction of the approach speed hardly an impact is as slow as the escape velocity: of

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "contact/adhesive_contact.h"
+#include "contact/contact_parameters.h"
 #include "contact/linear_spring_dashpot.h"
 #include "hamaker/parameters.h"
 #include "mixing.h"
@@ -29,15 +30,35 @@ struct KeepName {
 inline constexpr std::array keeps{KeepName{"velocity", Keep::escape_velocity},
                                   KeepName{"force", Keep::force}};
 
+/// The power p of the overlap in the force of a contact, F ~ x^p: of a linear spring, and of
+/// Hertz's and JKR's contact.
+inline constexpr double linear_power = 1.0, hertz_power = 1.5;
+
 /// The material that a contact stands for, as far as users give it.
 struct Material {
-  double stiffness = 0.0;  ///< K, [force/length]; 0: not given
+  /// K of a linear spring, [force/length], or E* of Hertz's and JKR's contact, [force/length^2]; 0:
+  /// not given.
+  double stiffness = 0.0;
   Keep keep = Keep::escape_velocity;
+  double exponent = linear_power;  ///< p, [1]
 
   bool is_given() const { return stiffness > 0.0; }
 };
 
-/// Unlike materials: the geometric mean of the stiffnesses; given where both are.
+/// The material of Hertz's or JKR's contact, of which two have E* (contact::reduced_modulus).
+/// Throws InvalidParameter as that.
+inline void set_hertz(Material& m, double youngs_modulus, double poissons_ratio) {
+  m.stiffness = contact::reduced_modulus(youngs_modulus, poissons_ratio);
+  m.exponent = hertz_power;
+}
+
+/// Throws InvalidParameter unless the stiffness is positive, or 0, and finite.
+inline void require_valid(const Material& m) {
+  require_non_negative("stiffness of the material", m.stiffness);
+}
+
+/// Unlike materials, mixed as their contacts are (contact_parameters.h): the geometric mean of the
+/// stiffnesses, the harmonic one of the moduli; given where both are.
 /// Throws InvalidParameter where they keep different things.
 inline Material mixed(const Material& a, const Material& b) {
   if (!a.is_given() || !b.is_given()) return {};
@@ -45,19 +66,29 @@ inline Material mixed(const Material& a, const Material& b) {
     throw InvalidParameter(
         "one of the two materials keeps the escape velocity, the other the force, and no mean of "
         "both exists: tell the pair what to keep");
-  return {geometric_mean(a.stiffness, b.stiffness), a.keep};
+  const double mean = a.exponent == linear_power ? geometric_mean(a.stiffness, b.stiffness)
+                                                 : 2.0 / (1.0 / a.stiffness + 1.0 / b.stiffness);
+  return {mean, a.keep, a.exponent};
 }
 
-/// Adhesion for a spring softer than the material, such that a pair sticks as the material does.
+/// Of a contact what Material::stiffness is of its material: K, or E*.
+inline double stiffness_of(const contact::ContactParameters& p) {
+  return p.is_hertz() ? p.modulus : p.stiffness;
+}
+
+/// Adhesion for a contact softer than the material, such that a pair sticks as the material does.
 ///
-/// A soft spring dissipates more of a cohesive pair's energy: v_esc ~ F_ad/sqrt(mu K). With the
-/// same mass and restitution, the whole curve of effective restitution over approach speed depends
-/// on F_ad/sqrt(mu K) and W/mu alone (contact/adhesive_contact.h). The rule keeps both, with
-/// f = sqrt(K_soft/K_real):
+/// A soft contact dissipates more of a cohesive pair's energy. Its motion, of the force k x^p with
+/// a dashpot of constant restitution and the attraction F_ad, is that of the material at the same
+/// speeds, with lengths and times 1/f as large and forces f times as large, where
 ///
-///   F_ad -> f F_ad      H_cut -> H_cut/f      E_tail -> E_tail      eta -> f eta
+///   f = (k_soft/k_real)^(1/(p + 1)) = sqrt(K_soft/K_real), (E*_soft/E*_real)^(2/5)
 ///
-/// It is exact: v_esc and e_eff(v) stay to round-off. Overlaps and contact times grow by 1/f.
+///   F_ad -> f F_ad      H_cut -> H_cut/f      E_tail -> E_tail      eta -> f eta (p = 1)
+///
+/// It is exact: v_esc and e_eff(v) stay to round-off. Overlaps and contact times grow by 1/f. So it
+/// is for JKR's contact, whose radius a grows as f^(-1/2): w -> f w, with which go the pull-off
+/// force f, the tearing gap 1/f and the work up to tearing 1.
 /// Scaling F_ad alone keeps v_esc only where W << F_ad^2/(2 K).
 ///
 /// For the Hamaker attraction, F_ad ~ A/H_cut^2 and W ~ A (2/H_cut - 1/H_out) at any R*: with
@@ -75,22 +106,27 @@ inline Material mixed(const Material& a, const Material& b) {
 /// (2016), whose text was not at hand: the rule has not been compared with theirs.
 class StiffnessScaling {
  public:
-  /// K of the material and of the simulation [force/length].
+  /// K, or E*, of the material and of the simulation; exponent: p of the law.
   /// Throws InvalidParameter unless both are positive and finite.
-  StiffnessScaling(double real_stiffness, double soft_stiffness) {
-    require_positive("stiffness K of the material", real_stiffness);
-    require_positive("stiffness K of the simulation", soft_stiffness);
+  StiffnessScaling(double real_stiffness, double soft_stiffness, double exponent = linear_power) {
+    require_positive("stiffness of the material", real_stiffness);
+    require_positive("stiffness of the simulation", soft_stiffness);
     soft_stiffness_ = soft_stiffness;
-    factor_ = std::sqrt(soft_stiffness / real_stiffness);
+    factor_ = std::pow(soft_stiffness / real_stiffness, 1.0 / (exponent + 1.0));
   }
+  StiffnessScaling(const Material& material, double soft_stiffness)
+      : StiffnessScaling(material.stiffness, soft_stiffness, material.exponent) {}
 
-  /// f = sqrt(K_soft/K_real), [1].
+  /// f, [1].
   double factor() const { return factor_; }
 
-  /// The spring of the simulation at the same mass and restitution.
+  /// The linear spring of the simulation at the same mass and restitution.
   contact::LinearSpringDashpot spring(const contact::LinearSpringDashpot& real) const {
     return {soft_stiffness_, factor_ * real.damping(), real.reduced_mass()};
   }
+
+  /// w of JKR's contact, [energy/length^2].
+  double work_of_adhesion(double real) const { return factor_ * real; }
 
   contact::Adhesion adhesion(const contact::Adhesion& real) const {
     return {factor_ * real.force, real.cutoff / factor_, real.tail_energy};
@@ -102,9 +138,10 @@ class StiffnessScaling {
     require_valid(real);
     require_smooth(real);
     const double k = real.surface_cutoff / real.outer_cutoff;
-    require(factor_ > k * (2.0 - k), "outer cut-off", real.outer_cutoff,
-            "too small for the softened contact: H_cut grows by about sqrt(K_real/K_soft) and has "
-            "to stay below it; must exceed 2 H_cut sqrt(K_real/K_soft)");
+    require(
+        factor_ > k * (2.0 - k), "outer cut-off", real.outer_cutoff,
+        "too small for the softened contact: H_cut grows by about 1/f and has to stay below it; "
+        "must exceed 2 H_cut/f, f = sqrt(K_soft/K_real) or (E_soft/E_real)^(2/5)");
     const double h = (2.0 - k) / factor_ / (1.0 + std::sqrt(1.0 - k * (2.0 - k) / factor_));
     return {real.hamaker_constant * factor_ * h * h, h * real.surface_cutoff, real.outer_cutoff};
   }
@@ -114,36 +151,67 @@ class StiffnessScaling {
   double factor_;
 };
 
-/// Whether a contact of `stiffness` [force/length] needs another adhesion than its material.
+/// Whether a contact of `stiffness`, as stiffness_of(), needs another adhesion than its material.
 inline bool is_scaled(const Material& material, double stiffness) {
   return material.is_given() && material.keep == Keep::escape_velocity &&
          material.stiffness != stiffness;
 }
 
-/// The Hamaker attraction of a contact of `stiffness` [force/length] from that of its material.
+/// The Hamaker attraction of a contact of `stiffness` from that of its material.
 /// Throws InvalidParameter as StiffnessScaling.
 inline hamaker::Parameters for_stiffness(double stiffness, const Material& material,
                                          const hamaker::Parameters& real) {
   if (real.hamaker_constant == 0.0 || !is_scaled(material, stiffness)) return real;
-  return StiffnessScaling(material.stiffness, stiffness).hamaker(real);
+  return StiffnessScaling(material, stiffness).hamaker(real);
 }
+
+/// The same of w of JKR's contact.
+inline double for_stiffness(double stiffness, const Material& material, double work_of_adhesion) {
+  if (!is_scaled(material, stiffness)) return work_of_adhesion;
+  return StiffnessScaling(material, stiffness).work_of_adhesion(work_of_adhesion);
+}
+
+/// How a log calls the stiffness of a material or a contact.
+inline const char* name_of_stiffness(const Material& material) {
+  return material.exponent == linear_power ? "stiffness" : "modulus E*";
+}
+
+namespace detail {
+
+/// scaling_note(), with the numbers of the adhesion.
+inline std::string scaling_note(double stiffness, const Material& material,
+                                const std::string& numbers) {
+  if (!material.is_given() || material.stiffness == stiffness) return {};
+  const std::string name = name_of_stiffness(material);
+  std::ostringstream out;
+  if (is_scaled(material, stiffness))
+    out << "adhesion scaled from " << name << ' ' << material.stiffness << " to " << stiffness
+        << ", which keeps the escape velocity: " << numbers;
+  else
+    out << "adhesion of " << name << ' ' << material.stiffness << " left at " << name << ' '
+        << stiffness << ", which keeps the pull-off force";
+  return out.str();
+}
+
+}  // namespace detail
 
 /// What for_stiffness() changed, or left on purpose, for a log; empty where the question does not
 /// arise.
 inline std::string scaling_note(double stiffness, const Material& material,
                                 const hamaker::Parameters& real, const hamaker::Parameters& used) {
-  std::ostringstream out;
-  if (!material.is_given() || material.stiffness == stiffness || real.hamaker_constant == 0.0)
-    return {};
-  if (is_scaled(material, stiffness))
-    out << "adhesion scaled from stiffness " << material.stiffness << " to " << stiffness
-        << ", which keeps the escape velocity: A " << real.hamaker_constant << " -> "
-        << used.hamaker_constant << ", H_cut " << real.surface_cutoff << " -> "
-        << used.surface_cutoff;
-  else
-    out << "adhesion of stiffness " << material.stiffness << " left at stiffness " << stiffness
-        << ", which keeps the pull-off force";
-  return out.str();
+  if (real.hamaker_constant == 0.0) return {};
+  std::ostringstream numbers;
+  numbers << "A " << real.hamaker_constant << " -> " << used.hamaker_constant << ", H_cut "
+          << real.surface_cutoff << " -> " << used.surface_cutoff;
+  return detail::scaling_note(stiffness, material, numbers.str());
+}
+
+/// The same of w of JKR's contact.
+inline std::string scaling_note(double stiffness, const Material& material, double real,
+                                double used) {
+  std::ostringstream numbers;
+  numbers << "work of adhesion " << real << " -> " << used;
+  return detail::scaling_note(stiffness, material, numbers.str());
 }
 
 }  // namespace cohesion::advice

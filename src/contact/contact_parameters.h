@@ -28,16 +28,21 @@ struct ContactParameters {
   bool is_hertz() const { return modulus > 0.0; }
 };
 
-/// Sets Hertz's contact of two of this material: E* = E/(2 (1 - nu^2)), and the tangential
-/// stiffness of Mindlin, 8 G* a = 2 (1 - nu)/(2 - nu) of the normal one. E [force/length^2], nu
-/// [1]. Throws InvalidParameter unless E > 0 and 0 <= nu <= 1/2.
-///
-/// Source: R. D. Mindlin, J. Appl. Mech. 16 (1949) 259.
-inline void set_hertz(ContactParameters& p, double youngs_modulus, double poissons_ratio) {
+/// E* = E/(2 (1 - nu^2)) of two of this material, [force/length^2]. Throws InvalidParameter unless
+/// E > 0 and 0 <= nu <= 1/2.
+inline double reduced_modulus(double youngs_modulus, double poissons_ratio) {
   require_positive("Young's modulus E", youngs_modulus);
   require(poissons_ratio >= 0.0 && poissons_ratio <= 0.5, "Poisson's ratio nu", poissons_ratio,
           "must lie between 0 and 0.5");
-  p.modulus = 0.5 * youngs_modulus / (1.0 - poissons_ratio * poissons_ratio);
+  return 0.5 * youngs_modulus / (1.0 - poissons_ratio * poissons_ratio);
+}
+
+/// Sets Hertz's contact of two of this material, and the tangential stiffness of Mindlin, 8 G* a =
+/// 2 (1 - nu)/(2 - nu) of the normal one. Throws InvalidParameter as reduced_modulus.
+///
+/// Source: R. D. Mindlin, J. Appl. Mech. 16 (1949) 259.
+inline void set_hertz(ContactParameters& p, double youngs_modulus, double poissons_ratio) {
+  p.modulus = reduced_modulus(youngs_modulus, poissons_ratio);
   p.tangential_ratio = 2.0 * (1.0 - poissons_ratio) / (2.0 - poissons_ratio);
 }
 

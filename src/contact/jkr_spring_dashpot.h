@@ -42,18 +42,20 @@ class JkrSpringDashpot {
   JkrSpringDashpot(const HertzSpringDashpot& hertz, double reduced_radius, double work_of_adhesion)
       : modulus_(hertz.reduced_modulus(reduced_radius)),
         radius_(reduced_radius),
-        work_of_adhesion_(work_of_adhesion),
         reduced_mass_(hertz.reduced_mass()) {
     require_positive("reduced radius", reduced_radius);
-    require_positive("work of adhesion", work_of_adhesion);
     if (hertz.is_damped() && hertz.power() != HertzSpringDashpot::Damping::fourth_root)
       throw InvalidParameter("JKR's contact needs Hertz's dashpot of constant restitution");
-    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / modulus_);
-    scale_ = std::cbrt(neck_ * reduced_radius);
-    inverse_cube_ = reduced_radius / std::pow(scale_, 4.0);
-    lowest_ = -tearing_gap(modulus_, reduced_radius, work_of_adhesion);
+    adhere(work_of_adhesion);
     stiffness_ = 4.0 * modulus_ / (3.0 * reduced_radius);
     damping_ = hertz.damping() / std::sqrt(std::sqrt(reduced_radius));
+  }
+
+  /// The same contact with another work of adhesion. Throws InvalidParameter unless it is positive.
+  JkrSpringDashpot with_work_of_adhesion(double work_of_adhesion) const {
+    JkrSpringDashpot other = *this;
+    other.adhere(work_of_adhesion);
+    return other;
   }
 
   /// The largest pull that a contact bears, (3/2) pi w R* [force].
@@ -121,6 +123,15 @@ class JkrSpringDashpot {
   static double root_far_from_tearing(double x) {
     const double s = std::sqrt(std::sqrt(x)), inverse = 1.0 / s;
     return s + inverse * inverse * (0.25 - 0.03125 * inverse * inverse * inverse);
+  }
+
+  void adhere(double work_of_adhesion) {
+    require_positive("work of adhesion", work_of_adhesion);
+    work_of_adhesion_ = work_of_adhesion;
+    neck_ = std::sqrt(2.0 * pi * work_of_adhesion / modulus_);
+    scale_ = std::cbrt(neck_ * radius_);
+    inverse_cube_ = radius_ / std::pow(scale_, 4.0);
+    lowest_ = -tearing_gap(modulus_, radius_, work_of_adhesion);
   }
 
   double modulus_;

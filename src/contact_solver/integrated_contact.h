@@ -234,7 +234,7 @@ class IntegratedContact {
       return;
     }
     // Halfway, energy and C are those of the cubics through both ends.
-    const double eighth = 0.125 * (x - x0);
+    const double eighth = 0.125 * (std::max(x, lowest_) - x0);
     const double square_middle =
         0.5 * (s0 + s1) + 2.0 * eighth * inverse_mass_ * (here.at.force - before.force);
     const double v_middle =

@@ -13,7 +13,7 @@ namespace cohesion::powder {
 /// are those of the grains magnified by l at the same speeds:
 ///
 ///   lengths (d, H_cut, H_out, r_a) l      times l      K l      forces l^2      masses, energies
-///   l^3
+///   l^3      moduli 1      energies of surfaces l
 ///
 /// The Hamaker constant is an energy, and so is the depth of a square well; the width of the well
 /// is a length. From this
@@ -50,6 +50,7 @@ class Parcels {
   double length(double of_grains) const { return ratio_ * of_grains; }
   double time(double of_grains) const { return ratio_ * of_grains; }
   double stiffness(double of_grains) const { return ratio_ * of_grains; }
+  double surface_energy(double of_grains) const { return ratio_ * of_grains; }
   double force(double of_grains) const { return ratio_ * ratio_ * of_grains; }
   double mass(double of_grains) const { return grains() * of_grains; }
   double energy(double of_grains) const { return mass(of_grains); }

@@ -50,11 +50,12 @@ struct Springs {
 };
 
 /// The least stiffness to which the attraction of a material of stiffness `real` can be scaled, its
-/// cut-off growing towards the outer one: f > k (2 - k) of advice/stiffness_scaling.h, f^2 being
-/// the ratio of the stiffnesses, with a tenth to spare.
-inline double least_scaled_stiffness(double real, const hamaker::Parameters& p) {
+/// cut-off growing towards the outer one: f > k (2 - k) of advice/stiffness_scaling.h, f^(p + 1)
+/// being the ratio of the stiffnesses, with a tenth to spare. exponent: p of the contact.
+inline double least_scaled_stiffness(double real, const hamaker::Parameters& p,
+                                     double exponent = advice::linear_power) {
   const double k = p.surface_cutoff / p.outer_cutoff;
-  return 1.1 * real * std::pow(k * (2.0 - k), 2);
+  return 1.1 * real * std::pow(k * (2.0 - k), exponent + 1.0);
 }
 
 /// Two digits that are not below what is needed, and no stiffer than the material.

@@ -2,6 +2,7 @@
 """`normal hertz E nu`: restitution, capture and strength of Hertz contacts with a Hamaker attraction, against an
 integration that knows nothing of the package."""
 import math
+import re
 import sys
 import unittest
 
@@ -52,6 +53,19 @@ class Hertz(unittest.TestCase):
                 report(f"e {restitution}, {angle} degrees, t_c/{division}: slowest parted {slowest}, captured {fastest}")
                 self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
 
+    def test_a_softer_modulus_captures_as_the_material_does(self):
+        # The scaling is exact head-on; the grade is that of the step, as above.
+        grade, division = 1e-3, 20
+        real = HertzPair(1e3 * MODULUS, 0.9, DIAMETER, HAMAKER)
+        soft = HertzPair(MODULUS, 0.9, DIAMETER, HAMAKER)
+        speed = real.escape_velocity(0.0, START)
+        self.assertGreater(soft.escape_velocity(0.0, START), 3 * speed)
+        words = f"{soft.words()} material_modulus {real.modulus} {real.poisson}"
+        dt = soft.contact_time(soft.touching_speed(speed)) / division
+        (_, slowest, fastest), = limits(words, "gran/hamaker", {0: speed}, grade, dt, 30 * division, START, 0.0, START)
+        report(f"E over the material's 1e-3: slowest parted {slowest}, captured {fastest}")
+        self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
+
     def test_strength(self):
         for partner in pull_off.PARTNERS:
             for division in (10, 20, 50):
@@ -62,6 +76,48 @@ class Hertz(unittest.TestCase):
 
 
 class Words(ScriptTestCase):
+    CONTACT = "normal hertz 5e6 0.25 restitution 0.9 hamaker 7.49e-19 cutoff 4e-10 1e-7"
+    MATERIAL = " material_modulus 5e9 0.25"
+    MODULI = "modulus E* 2.66667e+06 for 2.66667e+09 of the material: "
+
+    def with_wall(self, words):
+        return self.goes(f"{HEAD}pair_style gran/hamaker\npair_coeff * * {words}\n"
+                         f"fix plate all wall/gran/hamaker {words} zplane 0 NULL{MOVE}")
+
+    def test_the_run_prints_the_scaled_adhesion_and_what_it_keeps(self):
+        output = self.with_wall(self.CONTACT + self.MATERIAL)
+        f = 1e-3**0.4
+        notes = re.findall(r"adhesion scaled from modulus E\* 2.66667e\+09 to 2.66667e\+06, which keeps the escape "
+                           r"velocity: A 7.49e-19 -> (\S+), H_cut 4e-10 -> (\S+)", output)
+        self.assertEqual(len(notes), 4)  # three pairs of types and a wall
+        constant, cut = map(float, notes[0])
+        # Six digits are printed: force f of the real one, and the same energy at contact.
+        self.assertAlmostEqual(constant / cut**2 / (7.49e-19 / 4e-10**2) / f, 1, delta=3e-5)
+        self.assertAlmostEqual(constant * (2 / cut - 1e7) / (7.49e-19 * (2 / 4e-10 - 1e7)), 1, delta=3e-5)
+        for names in ("1 - 1", "1 - wall"):
+            self.assertIn(f"{self.MODULI}escape velocity 1, pull-off force 0.0631 times the material's ({names})", output)
+        kept = self.with_wall(self.CONTACT + self.MATERIAL + " material_keep force")
+        self.assertEqual(kept.count("adhesion of modulus E* 2.66667e+09 left at modulus E* 2.66667e+06, which keeps the "
+                                    "pull-off force"), 4)
+        real, soft = (HertzPair(modulus, 0.9, DIAMETER, HAMAKER).escape_velocity() for modulus in (5e9, 5e6))
+        found = re.search(re.escape(self.MODULI) + r"escape velocity (\S+), pull-off force 1 times the material's \(1 - 1\)",
+                          kept)
+        # Three digits are printed.
+        self.assertAlmostEqual(float(found[1]) / (soft / real), 1, delta=6e-3)
+
+    def test_a_soft_modulus_is_warned_of_with_the_keyword_of_the_material(self):
+        # Without it, at a speed of which the escape velocity is a part.
+        output = self.with_wall(self.CONTACT)
+        self.assertEqual(len(re.findall(r"WARNING: .*stiffer spring.*'material_modulus E_m nu_m' keeps", output)), 2)
+        self.assertNotIn("stiffer spring", self.with_wall(self.CONTACT + self.MATERIAL))
+
+    def test_a_restart_file_has_the_material(self):
+        self.goes(f"{HEAD}pair_style gran/hamaker\npair_coeff * * {self.CONTACT}{self.MATERIAL}{MOVE}"
+                  "write_restart some.restart noinit\n")
+        again = self.goes("plugin load ${plugin}\nnewton off\nread_restart some.restart\ncomm_modify vel yes\n"
+                          f"neighbor 1e-4 bin\n{MOVE}")
+        self.assertIn("adhesion scaled from modulus E* 2.66667e+09", again)
+
     def test_what_stops_a_run(self):
         for words, settings, message in (
                 ("normal hertz 5e6 0.25", "scheme sampled", "scheme sampled has linear springs only"),
@@ -70,7 +126,12 @@ class Words(ScriptTestCase):
                 ("normal hertz -5e6 0.2", "", "Young's modulus E"),
                 ("normal hooke 5e6 0.2", "", "normal"),
                 ("normal hertz 5e6 0.2 damping 1e-3", "", "damping eta"),
-                ("normal hertz 5e6 0.2 material_stiffness 1e5 hamaker 1e-19 cutoff 4e-10 1e-7", "", "material_stiffness")):
+                ("normal hertz 5e6 0.2 material_stiffness 1e5 hamaker 1e-19 cutoff 4e-10 1e-7", "",
+                 "with 'normal hertz' give 'material_modulus E_m nu_m'"),
+                ("stiffness 800 material_modulus 5e9 0.25", "", "with 'stiffness' give 'material_stiffness K_m'"),
+                ("normal hertz 5e6 0.2 material_keep force", "", "'material_keep' needs 'material_modulus E_m nu_m'"),
+                ("normal hertz 5e6 0.2 material_modulus 5e9", "", "takes 2 value(s)"),
+                (f"{self.CONTACT} asperity 1e-7{self.MATERIAL}", "", "without asperities")):
             with self.subTest(words=words):
                 self.stops(f"{HEAD}pair_style gran/hamaker {settings}\npair_coeff * * {words}{MOVE}", message)
 

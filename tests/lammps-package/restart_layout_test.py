@@ -23,10 +23,10 @@ neighbor 1e-4 bin
 # Settings, coefficients, and which layout they have.
 STYLES = {
     "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 3),
-    "gran/hamaker": ("", "stiffness 800", 8),
+    "gran/hamaker": ("", "stiffness 800", 9),
     "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 6),
     "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 4),
-    "gran/jkr": ("", "normal hertz 5e6 0.25 surface_energy 0.01", 1),
+    "gran/jkr": ("", "normal hertz 5e6 0.25 surface_energy 0.01", 2),
     "hard/square_well": ("", "restitution 0.9", 4),
 }
 MARK = 0x436f6800  # restart_format.h

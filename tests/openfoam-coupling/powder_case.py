@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A case as cohesion-powder writes it runs unedited to its end, in a box and in a round column, of one size, of a
-distribution, of parcels and with square wells, for each engine: the pressure drop is what the gas puts on the grains, and they stay in."""
+distribution, of parcels, with square wells and with Hertz's and JKR's contact, for each engine: the pressure drop is
+what the gas puts on the grains, and they stay in."""
 
 import os
 import subprocess
@@ -20,6 +21,19 @@ G, RHO, MU = 9.81, 1.205, 1.82e-5
 BUILD, WORK = os.environ["COHESION_BUILD"], Path(os.environ["COHESION_WORK"])
 DENSITY, STIFFNESS = 2500, 100
 GRAINS = ("--density", DENSITY, "--stiffness", STIFFNESS, "--hamaker", 6.5e-20, "--engine", ENGINE)
+# Hertz's and JKR's contact of glass, at a softer modulus.
+YOUNG, POISSON, SOFT = 63e9, 0.22, 1e7
+ELASTIC = ("--density", DENSITY, "--young", YOUNG, "--poisson", POISSON, "--soft-young", SOFT, "--engine", ENGINE)
+
+
+def spring_overlap(speed, d):
+    return speed * np.sqrt(DENSITY * np.pi / 6 * d**3 / STIFFNESS)
+
+
+def elastic_overlap(speed, d):
+    """On a wall, by Hertz; an adhesion that keeps the escape velocity adds some thousandths of it."""
+    mass, modulus = DENSITY * np.pi / 6 * d**3, SOFT / (2 * (1 - POISSON**2))
+    return 1.05 * (15 * mass * speed**2 / (16 * modulus * np.sqrt(d / 2)))**0.4
 BOX = ("--width", 0.05, "--depth", 0.05, "--height", 0.08, "--grains", 900)
 COLUMN = ("--column", 0.0091, "--height", 0.003, "--grains", 2000)
 
@@ -29,10 +43,10 @@ def entry(case, name):
 
 
 class PowderCase(CoupledTestCase):
-    def check(self, name, *words, across=None, cell=1.5e-3):
+    def check(self, name, *words, across=None, cell=1.5e-3, grains=GRAINS, overlap=spring_overlap):
         case = WORK / name
         subprocess.run(["rm", "-rf", str(case)], check=True)
-        code, _, said = program.call(*words, *GRAINS, "--write", case)
+        code, _, said = program.call(*words, *grains, "--write", case)
         self.expect_equal(f"{name}: code of cohesion-powder: {said}", code, 0)
         done = subprocess.run(["./Allrun"], cwd=case, env=environment(BUILD), capture_output=True, text=True)
         self.expect_equal(f"{name}: code of Allrun\n{done.stdout[-2000:]}", done.returncode, 0)
@@ -43,7 +57,7 @@ class PowderCase(CoupledTestCase):
         last = max((folder.name for folder in case.glob("0.[0-9]*")), key=float)
         self.expect_equal(f"{name}: time at the end [s]", last, "0.1")
         self.check_drop(name, case, cell)
-        self.check_places(name, case, across)
+        self.check_places(name, case, across, overlap)
         return log
 
     def check_drop(self, name, case, cell):
@@ -66,14 +80,14 @@ class PowderCase(CoupledTestCase):
                          off / weight)
         self.expect_below(f"{name}: that limit [1]", off / weight, 0.06)
 
-    def check_places(self, name, case, across):
+    def check_places(self, name, case, across, overlap):
         cloud = max(case.glob("0.[0-9]*"), key=lambda folder: float(folder.name)) / "lagrangian/particles"
         places = numbers(cloud / "positions", 4)[:, :3]
         written = (case / "grains.data").read_text().split(" atoms")[0].split()[-1]
         self.expect_equal(f"{name}: grains at the end", len(places), int(written))
         # The gas is slower than any grain falls; one from the top of the vessel presses a wall the farthest.
         speed = np.sqrt(2 * G * entry(case, "top"))
-        nearest = lambda d: d / 2 - speed * np.sqrt(DENSITY * np.pi / 6 * d**3 / STIFFNESS)
+        nearest = lambda d: d / 2 - overlap(speed, d)
         if across:
             self.expect_below(f"{name}: farthest from the axis [m]", np.hypot(places[:, 0], places[:, 1]).max(),
                               across / 2 - nearest(5e-4))
@@ -85,18 +99,31 @@ class PowderCase(CoupledTestCase):
     def test_column(self):
         self.check("column", "--diameter", 5e-4, *COLUMN, across=0.009)
 
-    def test_square_wells(self):
-        """The engine prints the escape velocity of each two types, which is that of the material."""
-        words = ("--diameter", 4e-4, 6e-4, "--law", "square_well")
-        self.check("wells", *words, *BOX)
-        said = program.values(*words, *GRAINS)
-        rows = [line.split() for line in (WORK / f"wells/log.{ENGINE}").read_text().split("\n")]
+    def check_escape_velocity(self, name, *words):
+        """The engine prints that of each two types, which is that of the material."""
+        said = program.values(*words)
+        rows = [line.split() for line in (WORK / f"{name}/log.{ENGINE}").read_text().split("\n")]
         # The last but one column, of which three digits are printed.
         self.expect_true("the engine's table has the column", any(row[-2:] == ["v_esc", "tail/spring"] for row in rows))
         pairs = [row for row in rows if row[:3] == ["1", "-", "1"]]
         self.expect_true("the engine's table has the pairs of the smallest", len(pairs) > 0)
         self.expect_near("v_esc of the engine's table over the program's [1]",
                          float(pairs[0][-2]) / said["material_escape"], 1, 5e-3)
+
+    def test_square_wells(self):
+        words = ("--diameter", 4e-4, 6e-4, "--law", "square_well")
+        self.check("wells", *words, *BOX)
+        self.check_escape_velocity("wells", *words, *GRAINS)
+
+    def test_hertz(self):
+        words = ("--diameter", 4e-4, 6e-4, "--contact", "hertz", "--hamaker", 6.5e-20)
+        self.check("hertz", *words, *BOX, grains=ELASTIC, overlap=elastic_overlap)
+        self.check_escape_velocity("hertz", *words, *ELASTIC)
+
+    def test_jkr(self):
+        words = ("--diameter", 4e-4, 6e-4, "--contact", "jkr", "--surface-energy", 0.02)
+        self.check("jkr", *words, *BOX, grains=ELASTIC, overlap=elastic_overlap)
+        self.check_escape_velocity("jkr", *words, *ELASTIC)
 
     @unittest.skipUnless(ENGINE == "lammps", "the coupling's part, with every engine")
     def test_parcels(self):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""cohesion-mapping: the thesis's table, both ways, and what it refuses."""
+"""cohesion-mapping: the thesis's table, both ways, the numbers of elastic contacts, and what it refuses."""
+import csv
 import math
 import sys
 import unittest
@@ -8,6 +9,7 @@ from scipy.optimize import brentq
 
 from cohesion_tests import mapping as program
 from cohesion_tests.theory import pair_motion
+from cohesion_tests.theory.hertz_contact import HertzPair
 from cohesion_tests.theory.pair_motion import MU, Pair
 
 CONTACT = ("--radius", 5e-4, "--density", 2650, "--stiffness", 800, "--cutoff", 4e-10, 1e-7)
@@ -68,6 +70,89 @@ class Sampled(unittest.TestCase):
             sampled = "--hamaker-scheme" in schemes
             self.assertEqual(row["hamaker_slowest_parted"] < row["hamaker_mean"], sampled)
             self.assertEqual(row["hamaker_constant"] > 1.05 * exact["hamaker_constant"], sampled)
+
+
+class Contact(unittest.TestCase):
+    """Hertz's and JKR's contact of two spheres of 1 mm, E 5 GPa, nu 0.25, against closed forms."""
+    PAIR = ("contact", "--radius", 5e-4, "--density", 2650, "--young", 5e9, "--poisson", 0.25)
+    RADIUS, MODULUS, REDUCED = 2.5e-4, 5e9 / (2 * (1 - 0.25**2)), 0.5 * 2650 * 4 / 3 * math.pi * 5e-4**3
+    GAMMA = 0.05
+
+    def near(self, found, expected, relative=1e-12):
+        self.assertAlmostEqual(found / expected, 1, delta=relative)
+
+    def values(self, *words):
+        code, output, error = program.call(*self.PAIR, *words, "--csv")
+        self.assertEqual(code, 0, error)
+        return {row["name"]: float(row["value"]) for row in csv.DictReader(output.splitlines())}
+
+    def test_jkr(self):
+        found = self.values("--surface-energy", self.GAMMA, "--restitution", 1)
+        work = 2 * self.GAMMA
+        self.near(found["reduced_modulus"], self.MODULUS)
+        self.near(found["pull_off"], 1.5 * math.pi * work * self.RADIUS)
+        self.near(found["tearing_gap"], 0.75 * (math.pi**2 * work**2 * self.RADIUS / self.MODULUS**2)**(1 / 3))
+        # What Thornton and Ning's neck takes; the speed is bisected to 1e-5.
+        lost = 7.0922 * (work**5 * self.RADIUS**4 / self.MODULUS**2)**(1 / 3)
+        self.near(found["escape_velocity"], math.sqrt(2 * lost / self.REDUCED), 1e-4)
+        # Of a sphere on a wall, in their form, three digits.
+        wall = self.values("--wall", "--surface-energy", self.GAMMA, "--restitution", 1)
+        self.near(wall["escape_velocity"], 1.84 * ((work / 5e-4)**5 / (2650**3 * self.MODULUS**2))**(1 / 6), 3e-3)
+        self.assertNotIn("well_depth", found)
+
+    def test_hertz(self):
+        found = self.values("--hamaker", 7.49e-19, "--cutoff", 4e-10, 1e-7)
+        force = 7.49e-19 * self.RADIUS / (6 * 4e-10**2)
+        self.near(found["pull_off"], force)
+        # The largest overlap takes what comes in and what the force does; Hertz's time is that of its radius of contact.
+        overlap, coefficient = found["overlap"], 4 / 3 * self.MODULUS * math.sqrt(self.RADIUS)
+        energy = (0.5 * self.REDUCED * found["escape_velocity"]**2
+                  + force * (2 * 4e-10 - 4e-10**2 / 1e-7) + force * overlap)
+        self.near(0.4 * coefficient * overlap**2.5, energy, 1e-9)
+        self.near(found["contact_time"], 2.9432 * math.sqrt(1.25 * self.REDUCED / (coefficient * math.sqrt(overlap))), 1e-4)
+        self.near(found["step"], found["contact_time"] / 20)
+        self.near(found["largest_step"], found["contact_time"] / 10)
+        speed = math.sqrt(2 * found["well_depth"] / self.REDUCED * (1 / 0.9**2 - 1))
+        self.near(found["escape_velocity"], speed)
+        # By an integration of the eighth order, of 1e-8; bisected here to 1e-5.
+        pair = HertzPair(5e9, 0.9, 1e-3, 7.49e-19)
+        self.near(found["escape_velocity"], pair.escape_velocity(), 1e-4)
+
+    def test_without_adhesion(self):
+        found = self.values("--speed", 0.1)
+        overlap = (15 * self.REDUCED * 0.1**2 / (16 * self.MODULUS * math.sqrt(self.RADIUS)))**0.4
+        self.near(found["overlap"], overlap)
+        self.near(found["contact_time"], 2.9432 * overlap / 0.1, 1e-4)
+        self.assertEqual((found["pull_off"], found["escape_velocity"]), (0, 0))
+
+    def test_a_softer_modulus(self):
+        f = 1e-3**0.4
+        for words in (("--surface-energy", self.GAMMA), ("--hamaker", 7.49e-19, "--cutoff", 4e-10, 1e-7)):
+            velocity, force = (self.values(*words, "--soft-young", 5e6, "--keep", keep) for keep in ("velocity", "force"))
+            self.near(velocity["soft_escape_velocity"], velocity["escape_velocity"], 1e-3)
+            self.near(velocity["soft_pull_off"], f * velocity["pull_off"])
+            # At this speed lengths and times are 1/f.
+            self.near(velocity["soft_overlap"], velocity["overlap"] / f, 1e-5)
+            self.assertEqual(force["soft_pull_off"], force["pull_off"])
+            self.assertGreater(force["soft_escape_velocity"], 3 * force["escape_velocity"])
+        velocity = self.values("--surface-energy", self.GAMMA, "--soft-young", 5e6)
+        self.near(velocity["soft_surface_energy"], f * self.GAMMA)
+
+    def test_refusals(self):
+        for words, *parts in ((("--hamaker", 1e-19), "--hamaker requires --cutoff"),
+                              (("--hamaker", 1e-19, "--cutoff", 4e-10, 1e-7, "--surface-energy", 0.1), "excludes"),
+                              ((), "speed of impacts = 0", "--speed"),
+                              (("--speed", 1, "--keep", "force"), "--keep requires --soft-young"),
+                              (("--speed", 1, "--restitution", 2), "restitution e = 2"),
+                              (("--wall", "--radius", 1e-3), "--radius: given twice"),
+                              (("--hamaker", 1e-19, "--cutoff", 4e-10, 1e-7, "--soft-young", 1e6, "--asperity", 1e-8),
+                               "--keep force"),
+                              (("--hamaker", 1e-19, "--cutoff", 4e-10, 1e-9, "--soft-young", 1e3), "outer cut-off")):
+            code, output, error = program.call(*self.PAIR, *words)
+            self.assertGreater(code, 0, words)
+            self.assertEqual(output, "")
+            for part in parts:
+                self.assertIn(part, error)
 
 
 class FormerWords(unittest.TestCase):

@@ -219,6 +219,107 @@ class SquareWell(unittest.TestCase):
         self.assertAlmostEqual(depth("--coarse-graining", 2) / depth() / 8, 1, delta=1e-5)
 
 
+class Elastic(unittest.TestCase):
+    """--contact hertz and jkr of grains of 0.5 mm."""
+    D, RADIUS = 5e-4, 1.25e-4
+    MODULUS = 63e9 / (2 * (1 - 0.22**2))
+    HERTZ, JKR = (*GLASS, "--contact", "hertz"), (*GLASS[:-2], "--surface-energy", 0.02, "--contact", "jkr")
+
+    def near(self, found, expected, relative=1e-12):
+        self.assertAlmostEqual(found / expected, 1, delta=relative)
+
+    def test_pull_off_and_tabor(self):
+        found = program.values(*self.HERTZ)
+        self.near(found["pull_off"], 6.5e-20 * self.RADIUS / (6 * 4e-10**2))
+        work = found["pull_off"] / (2 * math.pi * self.RADIUS)
+        self.near(found["tabor"], (self.RADIUS * work**2 / (self.MODULUS**2 * 2e-10**3))**(1 / 3))
+        found = program.values(*self.JKR)
+        self.near(found["pull_off"], 3 * math.pi * 0.02 * self.RADIUS)
+        self.near(found["work_of_adhesion"], 0.04)
+
+    def test_steps_are_a_twentieth_of_the_contact_of_the_softened_run(self):
+        for words in (self.HERTZ, self.JKR, self.HERTZ[:-4] + ("--contact", "hertz")):
+            found = program.values(*words, "--soft-young", 1e8)
+            self.assertEqual(found["modulus"], 1e8)
+            step = found["contact_time"] / 20
+            # A whole part of the gas step, and that of 0.01 s.
+            self.assertTrue(0.9 * step < found["particle_step"] <= step, found)
+        # Without adhesion, as the last: 2.87 (mu^2/(R* E*^2 v))^(1/5), three digits.
+        mu, modulus = 0.5 * 2500 * math.pi / 6 * self.D**3, self.MODULUS * 1e8 / 63e9
+        self.near(found["contact_time"], 2.87 * (mu**2 / (self.RADIUS * modulus**2 * found["impact_speed"]))**0.2, 2e-3)
+
+    def test_a_softer_modulus_keeps_what_is_asked(self):
+        for words in (self.HERTZ, self.JKR):
+            velocity, force = (program.values(*words, "--soft-young", 1e8, "--keep", keep) for keep in ("velocity", "force"))
+            # Both speeds are bisected to 1e-5.
+            self.near(velocity["escape_over_material"], 1, 3e-5)
+            self.near(velocity["pull_off_over_material"], (1e8 / 63e9)**0.4)
+            self.assertEqual(force["pull_off_over_material"], 1)
+            self.assertGreater(force["escape_over_material"], 2)
+
+    def test_the_modulus_is_as_soft_as_the_overlap_allows(self):
+        for words in (self.HERTZ, self.JKR):
+            found = program.values(*words, "--overlap", 0.005)
+            # Of an elastic impact on a wall, twice the mass and twice R*: x ~ (mu^2/R*)^(1/5); the adhesion adds little.
+            overlap = found["impact_overlap"] * 2**0.2
+            self.assertTrue(0.0045 < overlap <= 0.005, overlap)
+            self.assertLess(found["modulus"], 63e9)
+        self.assertEqual(program.values(*self.HERTZ, "--overlap", 1e-5)["modulus"], 63e9)
+
+    def test_lines_of_scripts(self):
+        _, output, _ = program.call(*self.HERTZ, "--soft-young", 1e8)
+        self.assertIn("pair_coeff * * normal hertz 1e+08 0.22 restitution 0.9 friction 0.3 hamaker 6.5e-20 cutoff 4e-10 1e-07 "
+                      "material_modulus 6.3e+10 0.22 material_keep velocity", output)
+        _, output, _ = program.call(*self.JKR, "--soft-young", 1e8, "--coarse-graining", 2)
+        self.assertIn("pair_style gran/jkr scheme exact", output)
+        # Energies of surfaces grow as lengths, moduli stay.
+        self.assertIn("normal hertz 1e+08 0.22 restitution 0.9 friction 0.3 surface_energy 0.04 material_modulus 6.3e+10 0.22 "
+                      "material_keep velocity", output)
+        _, output, _ = program.call(*self.JKR, "--soft-young", 63e9)
+        self.assertNotIn("material_modulus", output)
+
+    def test_lines_of_liggghts_have_the_scaled_attraction(self):
+        for keep, f in (("velocity", (1e8 / 63e9)**0.4), ("force", 1)):
+            _, output, _ = program.call(*self.HERTZ, "--soft-young", 1e8, "--keep", keep, "--engine", "liggghts")
+            self.assertIn("fix youngsModulus all property/global youngsModulus peratomtype 100000000 100000000", output)
+            self.assertIn("model hertz tangential history cohesion hamaker tangential_damping on\n", output)
+            self.assertNotIn("particles yes", output)
+            value = lambda name, k: float(output.split(f"property/global {name} ")[1].split("\n")[0].split()[k])
+            constant, cut = value("hamakerConstant", 2), value("hamakerSurfaceCutoff", 1)
+            # Six digits are printed.
+            self.near(constant / cut**2, f * 6.5e-20 / 4e-10**2, 3e-5)
+            self.near(constant * (2 / cut - 1e7), 6.5e-20 * (2 / 4e-10 - 1e7), 3e-5)
+            _, output, _ = program.call(*self.JKR, "--soft-young", 1e8, "--keep", keep, "--engine", "liggghts")
+            self.assertIn("model hertz tangential history cohesion jkr tangential_damping on\n", output)
+            self.near(value("surfaceEnergy", 2), f * 0.02, 3e-5)
+        for soft, command in ((1e6, "soft_particles yes"), (63e9, "hard_particles yes")):
+            words = self.HERTZ[:-4] + ("--contact", "hertz", "--soft-young", soft, "--engine", "liggghts")
+            self.assertIn(command, program.call(*words)[1])
+
+    def test_what_makes_no_sense(self):
+        for words, *parts in ((("--contact", "jkr"), "--surface-energy"),
+                              (("--soft-young", 1e8), "is of --contact hertz and jkr"),
+                              (("--contact", "hertz", "--stiffness", 100), "stiffness K = 100"),
+                              (("--contact", "hertz", "--soft-young", 1e11), "must not be above"),
+                              (("--contact", "hertz", "--law", "square_well"), "square well"),
+                              (("--contact", "hertz", "--asperity", 1e-7), "--keep force"),
+                              (("--contact", "hertz", "--soft-young", 1e3), "too small for the softened contact"),
+                              (("--contact", "mindlin"), "mindlin")):
+            code, output, error = program.call(*GLASS, *words)
+            self.assertNotEqual(code, 0, words)
+            for part in parts:
+                self.assertIn(part, error + output)
+        code, _, error = program.call(*self.JKR, "--asperity", 1e-7)
+        self.assertEqual((code, "smooth spheres" in error), (1, True), error)
+
+    def test_tabors_parameter_is_warned_of(self):
+        soft = ("--diameter", 1e-4, "--density", 1000, "--young", 1e7, "--surface-energy", 0.02)
+        hard = ("--diameter", 1e-6, "--density", 2500, "--young", 2e11, "--surface-energy", 0.005)
+        for words, contact, warned in ((soft, "hertz", True), (soft, "jkr", False), (hard, "jkr", True), (hard, "hertz", False)):
+            code, _, error = program.call(*words, "--contact", contact)
+            self.assertEqual((code, "Tabor's parameter is" in error), (0, warned), error)
+
+
 class LiggghtsProperties(unittest.TestCase):
     def matrices(self, *words):
         code, output, error = program.call(*words, "--engine", "liggghts")

@@ -149,6 +149,39 @@ TEST(ContactReport, NamesBothRatiosToTheMaterialUnderTheTable) {
   EXPECT_EQ(table().find("of the material"), std::string::npos) << table();
 }
 
+TEST(ContactReport, NamesBothRatiosOfHertzsAndJkrsContactToTheMaterial) {
+  const double radius = 0.5e-3, mass = 2650.0 * sphere_volume(radius), ratio = 1e3;
+  const hamaker::Law<hamaker::SmallGap> law({7.49e-19, 4e-10, 1e-7});
+  for (const double w : {0.0, 0.05}) {
+    contact::ContactParameters soft, real;
+    contact::set_hertz(soft, 5e6, 0.3);
+    contact::set_hertz(real, ratio * 5e6, 0.3);
+    soft.restitution = real.restitution = 0.9;
+    soft.work_of_adhesion = real.work_of_adhesion = w;
+    const auto contact_of = [&](const contact::ContactParameters& p) {
+      AdvisedContact c = pair();
+      c.i = c.j = {radius, mass};
+      c.springs = springs_of(p, 0.5 * radius, 0.5 * mass);
+      c.adhesion = contact::adhesion_of(law, two_spheres(radius, radius));
+      if (w > 0.0) c.adhesion = {contact::JkrSpringDashpot::pull_off_force(0.5 * radius, w)};
+      return c;
+    };
+    AdvisedContact c = contact_of(soft);
+    const auto sentence = [&](Keep keep) {
+      c.material = {ratio * soft.modulus, keep, hertz_power};
+      return detail::over_material_sentence(c, run());
+    };
+    const std::string moduli = "modulus E* 2.74725e+06 for 2.74725e+09 of the material: ";
+    // 1000^(-2/5)
+    EXPECT_EQ(sentence(Keep::escape_velocity),
+              moduli + "escape velocity 1, pull-off force 0.0631 times the material's");
+    const double more = escape_velocity(c, run()) / escape_velocity(contact_of(real), run());
+    EXPECT_EQ(sentence(Keep::force), moduli + detail::number("escape velocity %.3g", more) +
+                                         ", pull-off force 1 times the material's");
+    EXPECT_GT(more, 2.0);
+  }
+}
+
 TEST(ContactReport, ContactOfTheImmovableIsLeftOut) {
   AdvisedContact fixed = pair();
   fixed.i.mass = fixed.j.mass = infinite;

@@ -2,8 +2,12 @@
 #include "advice/stiffness_scaling.h"
 
 #include <limits>
+#include <variant>
 
+#include "advice/integrated_escape.h"
+#include "contact/contact_parameters.h"
 #include "refuses.h"
+#include "sphere.h"
 
 namespace cohesion::advice {
 namespace {
@@ -92,6 +96,95 @@ TEST(StiffnessScaling, HamakerConstantAndCutoffGrowAlikeWithoutOuterCutoff) {
   EXPECT_NEAR(soft.surface_cutoff / 4e-9, 1.0, 1e-14);
 }
 
+namespace {
+
+// Two spheres of 1 mm.
+constexpr double reduced_radius = 2.5e-4, reduced_mass = 6.94e-7, real_young = 6e10;
+
+contact::ContactParameters hertz(double young, double e, double work_of_adhesion = 0.0) {
+  contact::ContactParameters p;
+  contact::set_hertz(p, young, 0.25);
+  p.restitution = e;
+  p.work_of_adhesion = work_of_adhesion;
+  return p;
+}
+
+double escape_of_hertz(double young, double e, const hamaker::Parameters& h) {
+  return escape_velocity(
+      contact::HertzSpringDashpot::from_restitution(hertz(young, e).modulus, reduced_radius, e,
+                                                    reduced_mass),
+      {h.hamaker_constant * reduced_radius / 6.0 / h.surface_cutoff / h.surface_cutoff,
+       h.surface_cutoff,
+       h.hamaker_constant * reduced_radius / 6.0 *
+           (1.0 / h.surface_cutoff - 1.0 / h.outer_cutoff)});
+}
+
+contact::JkrSpringDashpot jkr(double young, double e, double w) {
+  return std::get<contact::JkrSpringDashpot>(
+      contact::normal_law(hertz(young, e, w), reduced_radius, reduced_mass));
+}
+
+double escape_of_jkr(double young, double e, double w) {
+  return escape_velocity(jkr(young, e, w),
+                         contact::HertzSpringDashpot::from_restitution(
+                             hertz(young, e).modulus, reduced_radius, e, reduced_mass));
+}
+
+/// E of Young's modulus, which no Poisson's ratio changes.
+StiffnessScaling from_real(double young) { return {real_young, young, hertz_power}; }
+
+}  // namespace
+
+// Within 1e-3: the velocities are bisected to 1e-5, of impacts in steps of t_c/1000, whose error is
+// of second order and at t_c/20 2e-4 (docs/theory/hertz_contacts.md).
+TEST(StiffnessScaling, KeepsTheEscapeVelocityOfHertzsContact) {
+  const hamaker::Parameters real{7.49e-19, 4e-10, 1e-7};
+  for (const double e : {0.5, 0.9, 0.99})
+    for (const double young : {5e9, 5e8, 5e6}) {
+      const hamaker::Parameters soft = from_real(young).hamaker(real);
+      EXPECT_NEAR(escape_of_hertz(young, e, soft) / escape_of_hertz(real_young, e, real), 1.0, 1e-3)
+          << e << ' ' << young;
+    }
+}
+
+TEST(StiffnessScaling, ASoftHertzContactWithoutItSticksMore) {
+  // Of the force alone v_esc ~ F_ad^(5/6)/k^(1/3); the well adds to both.
+  const hamaker::Parameters real{7.49e-19, 4e-10, 1e-7};
+  EXPECT_GT(escape_of_hertz(5e6, 0.9, real), 5.0 * escape_of_hertz(real_young, 0.9, real));
+}
+
+TEST(StiffnessScaling, KeepsTheEscapeVelocityOfJkrsContact) {
+  const double w = 0.1;
+  for (const double e : {0.5, 0.9, 1.0})
+    for (const double young : {5e8, 5e6}) {
+      const double soft = from_real(young).work_of_adhesion(w);
+      EXPECT_NEAR(escape_of_jkr(young, e, soft) / escape_of_jkr(real_young, e, w), 1.0, 1e-3)
+          << e << ' ' << young;
+    }
+}
+
+TEST(StiffnessScaling, ScalesJkrsForcesByItsFactorAndLengthsByTheInverse) {
+  const double young = 5e6, w = 0.1, f = std::pow(young / real_young, 0.4);
+  const StiffnessScaling scaling = from_real(young);
+  EXPECT_NEAR(scaling.factor() / f, 1.0, 1e-14);
+  const auto real = jkr(real_young, 1.0, w), soft = jkr(young, 1.0, scaling.work_of_adhesion(w));
+  // But for roundings: a few cube roots and powers.
+  EXPECT_NEAR(soft.lowest_overlap() / real.lowest_overlap() * f, 1.0, 1e-13);
+  EXPECT_NEAR(soft.touch_energy() / real.touch_energy(), 1.0, 1e-13);
+  EXPECT_NEAR(soft.friction_load() / real.friction_load() / f, 1.0, 1e-13);
+  // The radius of contact is a root, found until a step of Newton's is 1e-8 of it.
+  for (const double x : {0.0, 1e-8, 1e-6})
+    EXPECT_NEAR(soft.at(x / f).force / real.at(x).force / f, 1.0, 1e-6) << x;
+}
+
+TEST(StiffnessScaling, AnotherWorkOfAdhesionIsThatOfANewContact) {
+  const auto one = jkr(5e6, 0.7, 0.1).with_work_of_adhesion(0.03), other = jkr(5e6, 0.7, 0.03);
+  EXPECT_EQ(one.lowest_overlap(), other.lowest_overlap());
+  EXPECT_EQ(one.at(1e-7).force, other.at(1e-7).force);
+  EXPECT_EQ(one.at(1e-7).damping, other.at(1e-7).damping);
+  expect_refused([&] { one.with_work_of_adhesion(0.0); }, "work of adhesion");
+}
+
 TEST(StiffnessScaling, RefusesWhatCannotBe) {
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     expect_refused([=] { StiffnessScaling(bad, 1.0); }, "of the material");
@@ -131,12 +224,30 @@ TEST(ForStiffness, LogSaysWhatIsKept) {
   EXPECT_EQ(note({100.0, Keep::escape_velocity}), "");
 }
 
+TEST(ForStiffness, OfAModulusScalesWorkOfAdhesionByItsPowerAndSaysSo) {
+  const Material velocity{1e10, Keep::escape_velocity, hertz_power};
+  const double used = for_stiffness(1e7, velocity, 0.1);
+  EXPECT_DOUBLE_EQ(used, 0.1 * std::pow(1e-3, 0.4));
+  EXPECT_EQ(scaling_note(1e7, velocity, 0.1, used),
+            "adhesion scaled from modulus E* 1e+10 to 1e+07, which keeps the escape velocity: work "
+            "of adhesion 0.1 -> 0.00630957");
+  const Material force{1e10, Keep::force, hertz_power};
+  EXPECT_EQ(for_stiffness(1e7, force, 0.1), 0.1);
+  EXPECT_EQ(
+      scaling_note(1e7, force, 0.1, 0.1),
+      "adhesion of modulus E* 1e+10 left at modulus E* 1e+07, which keeps the pull-off force");
+}
+
 TEST(Material, MixedIsTheGeometricMeanOfWhatBothTell) {
   const Material a{100.0, Keep::force}, b{400.0, Keep::force};
   EXPECT_DOUBLE_EQ(mixed(a, b).stiffness, 200.0);
   EXPECT_EQ(mixed(a, b).keep, Keep::force);
   EXPECT_FALSE(mixed(a, {}).is_given());
   EXPECT_FALSE(mixed({}, {0.0, Keep::force}).is_given());
+  // 2/E* = 1/E*_a + 1/E*_b, as of contacts.
+  const Material c{1e9, Keep::force, hertz_power}, d{3e9, Keep::force, hertz_power};
+  EXPECT_DOUBLE_EQ(mixed(c, d).stiffness, 1.5e9);
+  EXPECT_EQ(mixed(c, d).exponent, hertz_power);
   expect_refused([&] { mixed(a, {400.0, Keep::escape_velocity}); }, "tell the pair what to keep");
 }
 

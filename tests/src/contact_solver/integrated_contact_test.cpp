@@ -100,4 +100,24 @@ TEST(IntegratedContact, EscapesAtTheVelocityOfTheConvergedIntegration) {
         }
 }
 
+// What other forces do is known at the time level only: a persistent contact may have ended there,
+// further out than it was deep.
+TEST(IntegratedContact, AnAccountIsFiniteWhereOthersHavePulledAPairApart) {
+  const double step = 1e-6, deep = 1e-9;
+  const IntegratedContact<contact::HertzSpringDashpot> contact(glass(4e-4, 1.4e8, 0.9).law(), 1e-6,
+                                                               step);
+  ContactState state;
+  state.phase = ContactState::persistent;
+  state.velocity_offset = 1e-4;
+  for (const double out : {0.5, 2.0, 10.0}) {
+    // From the overlap `deep` to the gap out * deep.
+    const double rate = (1.0 + out) * deep / step;
+    const ContactPoint now{-out * deep, rate};
+    const StaggeredMotion at{4e-4 + out * deep, rate, 0.0};
+    EXPECT_TRUE(std::isfinite(contact.account(now, at, state, 0.0))) << out;
+    EXPECT_TRUE(std::isfinite(contact.true_rate(now, at, 0.0, state, 0.0))) << out;
+    EXPECT_GE(contact.dissipation(now, at, state, 0.0), 0.0) << out;
+  }
+}
+
 }  // namespace cohesion::contact_solver

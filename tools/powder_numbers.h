@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "advice/elastic_pair.h"
+#include "drag/drag_closure.h"
+#include "hamaker/range_of_validity.h"
+#include "named_table.h"
+#include "powder/elastic_contacts.h"
+#include "powder/fluidisation.h"
+#include "powder/grain_contact.h"
+#include "powder/parcels.h"
+#include "powder/plan.h"
+#include "powder/sizes.h"
+#include "powder/springs.h"
+#include "powder_case.h"
+#include "powder_contacts.h"
+#include "powder_request.h"
+
+namespace cohesion::tools {
+
+using namespace cohesion::powder;
+
+inline Sizes sizes_of(const Request& r) {
+  if (!r.percentiles.empty())
+    return Sizes::of_percentiles(r.percentiles[0], r.percentiles[1], r.percentiles[2]);
+  require(r.shares.empty() || r.shares.size() == r.diameters.size(), "number of mass shares",
+          static_cast<double>(r.shares.size()), "give one for each diameter, or none");
+  std::vector<Size> sizes;
+  for (std::size_t k = 0; k < r.diameters.size(); k++)
+    sizes.push_back({r.diameters[k], r.shares.empty() ? 1.0 : r.shares[k]});
+  return Sizes(sizes);
+}
+
+inline advice::Keep keep_of(const Request& r) {
+  const auto named = [&](const advice::KeepName& k) { return r.keep == k.name; };
+  return std::find_if(advice::keeps.begin(), advice::keeps.end(), named)->keep;
+}
+
+/// The numbers of a powder that the lines are made of.
+class Powder {
+ public:
+  explicit Powder(const Request& r)
+      : sizes(sizes_of(r)),
+        mean{sizes.sauter(), r.density},
+        parcels(r.coarse_graining),
+        request_(r) {
+    require_lifted(mean, r.gas, r.gravity);
+    require_positive("cut-off H_cut", r.cutoffs.at(0));
+    for (const drag::Closure& closure : drag::closures)
+      fastest_fluidisation = std::max(fastest_fluidisation, fluidisation(closure));
+    const double constant = r.surface_energy > 0.0
+                                ? hamaker_of_surface_energy(r.surface_energy, r.cutoffs[0])
+                                : r.hamaker;
+    const hamaker::Asperity asperity = asperity_of(r);
+    hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), asperity.radius, asperity.height};
+    adhesion = adhesion_at(sizes.smallest());
+    const double fall = std::sqrt(2.0 * r.gravity * parcels.length(sizes.largest()));
+    speed = r.speed > 0.0 ? r.speed : std::max(2.0 * fastest_fluidisation, fall);
+    const Load load{speed, pressure_of(r.height, r.void_fraction, r.density * r.gravity)};
+    if (r.is_elastic())
+      elastic = elastic_of(load);
+    else
+      springs = springs_under(load);
+    const double contact_time =
+        elastic ? elastic->used.contact_time(speed) : springs.used.contact_time;
+    cell = r.cell * parcels.length(sizes.largest());
+    steps = steps_within(
+        PowderCase::output_interval, parcels.time(contact_time) / steps_of_contact(),
+        longest_gas_step(cell, 2.0 * fastest_fluidisation / r.void_fraction, r.gravity));
+    velocity = 2.0 * fluidisation(find_by_name(drag::closures, "drag", r.drag));
+  }
+
+  double fluidisation(const drag::Closure& closure) const {
+    return minimum_fluidisation(closure, request_.void_fraction, mean, request_.gas,
+                                request_.gravity);
+  }
+
+  double mass(double diameter) const { return request_.density * sphere_volume(0.5 * diameter); }
+  double weight(double diameter) const { return mass(diameter) * request_.gravity; }
+
+  /// Of two grains of a diameter, with the asperities of the request.
+  contact::Adhesion adhesion_at(double diameter) const {
+    return adhesion_of(two_spheres(0.5 * diameter, 0.5 * diameter));
+  }
+  contact::Adhesion adhesion_of(const PairGeometry& geometry) const {
+    if (request_.is_jkr()) {
+      contact::Adhesion own{};
+      own.force = contact::JkrSpringDashpot::pull_off_force(geometry.reduced_radius,
+                                                            2.0 * request_.surface_energy);
+      own.forms_at_touch = true;
+      return own;
+    }
+    const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
+    hamaker::require_weakened_by_asperities(hamaker::forms.front(), hamaker, geometry);
+    return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
+  }
+
+  /// A grain of a diameter at a wall, which presses a spring more than two of them.
+  Borne at_wall(double diameter) const {
+    return {{diameter, mass(diameter)}, adhesion_of(sphere_and_plane(0.5 * diameter))};
+  }
+
+  /// Of the spheres that are computed, each size a type.
+  Sizes computed() const {
+    std::vector<Size> all = sizes.all();
+    for (Size& size : all) size.diameter = parcels.length(size.diameter);
+    return Sizes(all);
+  }
+  PowderContacts contacts() const {
+    std::vector<double> diameters;
+    for (const Size& size : sizes.all()) diameters.push_back(parcels.length(size.diameter));
+    return {diameters,
+            request_.density,
+            parcels.stiffness(springs.used.stiffness),
+            request_.restitution,
+            request_.friction,
+            parcels.attraction(hamaker),
+            {parcels.stiffness(springs.material.stiffness), keep_of(request_)},
+            well_ratio_of(request_),
+            elastic
+                ? ElasticWords{elastic->young, request_.elastic.poisson, request_.elastic.young,
+                               request_.is_jkr() ? parcels.surface_energy(request_.surface_energy)
+                                                 : 0.0}
+                : ElasticWords{}};
+  }
+
+  /// Tabor's parameter of two of the smallest; 0 without adhesion.
+  double tabor() const {
+    if (!elastic || adhesion.force == 0.0) return 0.0;
+    const double radius = 0.25 * sizes.smallest();
+    const double work =
+        request_.is_jkr() ? 2.0 * request_.surface_energy : adhesion.force / (2.0 * pi * radius);
+    return advice::tabor_parameter(elastic->material.contact().modulus, radius, work,
+                                   atomic_distance);
+  }
+
+  /// Depth of the well of two grains, and of one at a wall, where the run has wells.
+  double well_depth(double diameter) const {
+    return powder::well_depth(springs.material.stiffness, request_.restitution,
+                              0.5 * mass(diameter), adhesion_at(diameter));
+  }
+  double well_depth_at_wall(double diameter) const {
+    return powder::well_depth(springs.material.stiffness, request_.restitution, mass(diameter),
+                              adhesion_of(sphere_and_plane(0.5 * diameter)));
+  }
+
+  Sizes sizes;
+  Grain mean;
+  Parcels parcels;
+  double fastest_fluidisation = 0.0;  // by the closures
+  double speed;                       // of impacts
+  hamaker::Parameters hamaker;
+  contact::Adhesion adhesion;              // of two of the smallest
+  Springs springs{};                       // of the grains, where they are linear
+  std::optional<ElasticContacts> elastic;  // of the grains, where they are not
+  Steps steps;                             // of the run
+  double cell, velocity;                   // of the run
+
+ private:
+  /// z0 of Tabor's parameter, [m].
+  static constexpr double atomic_distance = 2e-10;
+
+  Springs springs_under(const Load& load) const {
+    const Request& r = request_;
+    return springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
+                      {r.restitution,
+                       load,
+                       r.overlap,
+                       keep_of(r),
+                       r.stiffness,
+                       r.elastic,
+                       well_ratio_of(r),
+                       {at_wall(sizes.smallest()), at_wall(sizes.largest())}});
+  }
+
+  ElasticContacts elastic_of(const Load& load) const {
+    const Request& r = request_;
+    contact::ContactParameters contact;
+    contact::set_hertz(contact, r.elastic.young, r.elastic.poisson);
+    contact.restitution = r.restitution;
+    if (r.is_jkr()) contact::set_surface_energy(contact, r.surface_energy);
+    const auto borne = [&](double diameter, double reduced_mass, const PairGeometry& geometry) {
+      return ElasticBorne{diameter,
+                          {contact, geometry.reduced_radius, reduced_mass,
+                           r.is_jkr() ? contact::Adhesion{} : adhesion_of(geometry)}};
+    };
+    const double small = sizes.smallest(), large = sizes.largest();
+    ElasticDemand demand{r.elastic.young, r.soft_young, load, r.overlap, keep_of(r)};
+    if (adhesion.cutoff > 0.0 && demand.keep == advice::Keep::escape_velocity) {
+      demand.least = least_scaled_stiffness(r.elastic.young, hamaker, advice::hertz_power);
+      // As the engine will: throws where the outer cut-off leaves no room.
+      if (r.soft_young > 0.0)
+        advice::for_stiffness(r.soft_young, {r.elastic.young, demand.keep, advice::hertz_power},
+                              hamaker);
+    }
+    return elastic_contacts({borne(small, 0.5 * mass(small), two_spheres(0.5 * small, 0.5 * small)),
+                             borne(small, mass(small), sphere_and_plane(0.5 * small)),
+                             borne(large, mass(large), sphere_and_plane(0.5 * large))},
+                            demand);
+  }
+
+  double steps_of_contact() const {
+    if (elastic) return advice::steps_per_integrated_contact;
+    return request_.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
+  }
+
+  const Request& request_;
+};
+
+}  // namespace cohesion::tools
