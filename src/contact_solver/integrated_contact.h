@@ -224,9 +224,12 @@ class IntegratedContact {
           std::abs((adhesion_ - here.at.force - here.at.damping * v) * inverse_mass_ - load);
       const double a0 =
           std::abs((adhesion_ - before.force - before.damping * v0) * inverse_mass_ - load);
-      const double b0 = a0 + stiffness * s0 / (4.0 * a0), b1 = a1 + stiffness * s1 / (4.0 * a1);
-      here.dissipated =
-          (before.damping * s0 * std::abs(v0) / b0 + here.at.damping * s1 * std::abs(v) / b1) / 3.0;
+      // Also of a contact at rest under no force, where both speed and acceleration are 0.
+      const auto leg_of = [&](double damping, double square, double acceleration) {
+        const double divisor = acceleration * acceleration + 0.25 * stiffness * square;
+        return divisor > 0.0 ? damping * square * std::sqrt(square) * acceleration / divisor : 0.0;
+      };
+      here.dissipated = (leg_of(before.damping, s0, a0) + leg_of(here.at.damping, s1, a1)) / 3.0;
       const double most = step_ * std::max(before.damping, here.at.damping) * std::max(s0, s1);
       if (!(here.dissipated < most))
         here.dissipated =
