@@ -91,7 +91,7 @@ class ElasticGas(unittest.TestCase):
 
 class StruckPair(unittest.TestCase):
     """Two spheres that stick, at rest, and a third that strikes them: 100 such triples, against the
-    run at a hundredth of the step. Also where adhesion decides: F_ad/sqrt(mu K) = b = 0.022 m/s.
+    run at t_c/400, whose error is 1/400 of that at t_c/20. Also where adhesion decides: F_ad/sqrt(mu K) = b = 0.022 m/s.
 
     Tolerance: the cluster rings with w = sqrt(3/2) w0 at most (three spheres in line) and decays with
     alpha = (3/2) zeta w0. A scheme of second order gets w wrong by (w dt)^2/24 of itself, the
@@ -111,7 +111,7 @@ class StruckPair(unittest.TestCase):
         triples.write(cls.folder)
 
     def compare(self, friction):
-        exact, stuck, parting = triples.outcome(self.folder, 1000, friction)
+        exact, stuck, parting = triples.outcome(self.folder, 400, friction)
         # All outcomes that matter are there: caught, parted, the pair broken, the partner changed.
         self.assertGreaterEqual(len(numpy.unique(stuck, axis=1).T), 5)
         zeta = -math.log(triples.RESTITUTION) / math.hypot(math.pi,
@@ -187,10 +187,14 @@ class Settling(unittest.TestCase):
         return table[-10:, 1].max() / rest  # the last fifth: 800 contact times and more
 
     def most_come_to_rest(self, ratio, division=10, of_start=0.0):
-        # The median of five: in one bed of five or so a sphere comes to its place late.
-        values = sorted(self.kinetic_over_limit(ratio, division, of_start, seed, 0.0) for seed in (1, 2, 3, 4, 5))
+        # The median of five: in one bed of five or so a sphere comes to its place late. Three are enough to know it.
+        values = []
+        for seed in (1, 2, 3, 4, 5):
+            values.append(self.kinetic_over_limit(ratio, division, of_start, seed, 0.0))
+            if sum(value < 1.0 for value in values) == 3:
+                break
         print(f"{ratio} weights, t_c/{division}: " + ", ".join(f"{v:.1e}" for v in values), file=sys.stderr)
-        self.assertLess(values[2], 1.0)
+        self.assertEqual(sum(value < 1.0 for value in values), 3)
 
     def test_without_adhesion(self):
         self.most_come_to_rest(0)
