@@ -89,9 +89,8 @@ std::string ExactContacts::obstacle(const NormalModelProbe& normal, int types) c
            "itself: use 'scheme sampled'";
   const auto of_model = [&](const std::string& why) {
     return "model " + normal.name() + " " + why +
-           ": use 'scheme sampled', or model hooke, hooke/stiffness, hertz or hertz/stiffness as "
-           "it "
-           "is by default";
+           ": use 'scheme sampled', or the defaults of model hooke, hooke/stiffness, hertz or "
+           "hertz/stiffness";
   };
   if (normal.exponent() != 1.0 && normal.exponent() != 1.5)
     return of_model("has a spring that is neither linear nor Hertz's");

@@ -232,7 +232,8 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
   double here = step.at.radius_stiffness;
   if (k.stiffening && here == 0.0) here = radius_stiffness(contact.deltan);
   if (k.wider_than_hertz) {
-    const double wider = here / (1.5 * contact.kn);
+    const double wider =
+        here / cohesion::contact::HertzSpringDashpot::radius_stiffness_of(contact.kn);
     contact.kt *= wider;
     contact.gammat *= std::sqrt(wider);
   }
