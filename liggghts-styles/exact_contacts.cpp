@@ -70,8 +70,9 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, C
   known_.resize((types + 1) * (types + 1));
   mobile_ = MobileParticles(lmp_);
   // A fix that is made while fixes are set up, as walls are, is called in the next run only.
-  others_ = wall_ ? find_hidden_fix<FixOthers>(lmp_) : &hidden_fix<FixOthers>(lmp_);
-  if (!others_)
+  accelerations_ =
+      wall_ ? find_hidden_fix<FixAccelerations>(lmp_) : &hidden_fix<FixAccelerations>(lmp_);
+  if (!accelerations_)
     lmp_->error->all(FLERR, (who_ + ", scheme exact, fix wall/gran " + wall_->id +
                              ": needs a pair_style gran of scheme exact, too; without attraction "
                              "between particles, use it with a strength of 0 between them")
@@ -82,15 +83,14 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, C
 }
 
 std::string ExactContacts::obstacle(const NormalModelProbe& normal, int types) const {
-  const std::string bodies = FixOthers::rigid_bodies(*lmp_->modify);
+  const std::string bodies = FixAccelerations::rigid_bodies(*lmp_->modify);
   if (!bodies.empty())
     return bodies + " moves bodies of several spheres, and it resolves spheres that move each by " +
            "itself: use 'scheme sampled'";
   const auto of_model = [&](const std::string& why) {
     return "model " + normal.name() + " " + why +
-           ": use 'scheme sampled', or model hooke, hooke/stiffness, hertz or hertz/stiffness as "
-           "it "
-           "is by default";
+           ": use 'scheme sampled', or the defaults of model hooke, hooke/stiffness, hertz or "
+           "hertz/stiffness";
   };
   if (normal.exponent() != 1.0 && normal.exponent() != 1.5)
     return of_model("has a spring that is neither linear nor Hertz's");
@@ -137,7 +137,7 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
-    k.tangential = cohesion::contact_solver::spring_on_grid(
+    k.tangential = cohesion::contact_solver::discrete_constants(
         springs.tangential_stiffness, springs.tangential_damping, tangential_mass, dt);
   });
 }
@@ -146,8 +146,9 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
 double ExactContacts::acceleration(const ContactModels::SurfacesCloseData& d,
                                    const cohesion::Vector3& n) const {
   double by_all = 0.0;
-  if (mobile_.moves(atom_->mask[d.i])) by_all += dot(others_->acceleration(d.i), n);
-  if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) by_all -= dot(others_->acceleration(d.j), n);
+  if (mobile_.moves(atom_->mask[d.i])) by_all += dot(accelerations_->acceleration(d.i), n);
+  if (!d.is_wall && mobile_.moves(atom_->mask[d.j]))
+    by_all -= dot(accelerations_->acceleration(d.j), n);
   return by_all;
 }
 
@@ -155,7 +156,7 @@ double ExactContacts::acceleration(const ContactModels::SurfacesCloseData& d,
 /// has come from; nullptr: nothing.
 const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData& d) const {
   const double* const history = d.contact_history + offset_;
-  const double now = others_->clock();
+  const double now = accelerations_->clock();
   if (history[STEP] == now) return history;
   if (!d.mesh) return nullptr;
   const double* const before =
@@ -177,7 +178,7 @@ bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   time_apart_ = 0.0;
   if (!k) return false;
   ContactState state;
-  if (!d.computeflag || (first && others_->last_step() > 0.0)) {
+  if (!d.computeflag || (first && accelerations_->last_step() > 0.0)) {
     if (repeat(*k, d, step, state)) {
       // What it stores under a load is that of the last step.
       if (energies && state.in_range()) {
@@ -223,8 +224,8 @@ void ExactContacts::exclude_impulse(const KnownContact& k,
                                     const ContactState& state) {
   if (state.force == 0.0 || !k.law->gave_impulse(state)) return;
   const cohesion::Vector3 on_i = state.force * cohesion::vector(normal);
-  if (mobile_.moves(atom_->mask[d.i])) others_->exclude(d.i, on_i);
-  if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) others_->exclude(d.j, -on_i);
+  if (mobile_.moves(atom_->mask[d.i])) accelerations_->exclude(d.i, on_i);
+  if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) accelerations_->exclude(d.j, -on_i);
 }
 
 bool ExactContacts::in_range(const double* history) const {
@@ -238,9 +239,9 @@ bool ExactContacts::in_range(const double* history) const {
 bool ExactContacts::repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
                            ContactStep& step, ContactState& state) const {
   double* const history = d.contact_history + offset_;
-  if (history[STEP] != others_->clock() + 1.0) return false;
+  if (history[STEP] != accelerations_->clock() + 1.0) return false;
   state = ContactState::stored(history);
-  const double now = lmp_->update->dt, then = others_->last_step();
+  const double now = lmp_->update->dt, then = accelerations_->last_step();
   if (d.computeflag && then != now) {
     if (state.force == 0.0 || !k.law->gave_impulse(state)) return false;
     state.force *= then / now;
@@ -258,7 +259,7 @@ void ExactContacts::write(const ContactModels::SurfacesCloseData& d, const Conta
   double* const history = d.contact_history + offset_;
   state.store(history);
   history[REPULSION] = step.repulsion;
-  history[STEP] = others_->clock() + 1.0;
+  history[STEP] = accelerations_->clock() + 1.0;
   remember(d, state.phase != ContactState::outside || step.force != 0.0);
 }
 

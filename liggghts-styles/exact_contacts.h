@@ -19,7 +19,7 @@
 #include "contact_solver/contact_state.h"
 #include "contact_solver/normal_energies.h"
 #include "contact_solver/pair_motion.h"
-#include "fix_others.h"
+#include "fix_accelerations.h"
 #include "integrated_particles.h"
 #include "neighbor.h"
 #include "normal_model_probe.h"
@@ -82,8 +82,8 @@ class ExactContacts {
   bool in_range(const double* history) const;
 
   /// Lets the engine's friction act in `step` with the repulsion of the contact, and beside a
-  /// linear spring with the discrete K_t and eta_t that are exact at any step (GridSpring). Where
-  /// K_t grows with the overlap, the force stays and the displacement shrinks. `spring`: its
+  /// linear spring with the discrete K_t and eta_t that are exact at any step (DiscreteConstants).
+  /// Where K_t grows with the overlap, the force stays and the displacement shrinks. `spring`: its
   /// displacement, which the engine will let grow through all of the step before, also where there
   /// was no contact; null: it has none.
   void set_friction(ContactModels::SurfacesIntersectData& contact,
@@ -101,7 +101,7 @@ class ExactContacts {
   struct KnownContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
     std::unique_ptr<ContactSolver> law;
-    cohesion::contact_solver::GridSpring tangential{};  ///< beside a linear spring
+    cohesion::contact_solver::DiscreteConstants tangential{};  ///< beside a linear spring
     /// Of a tangential spring that stiffens with the overlap; none: it does not.
     std::optional<cohesion::contact::NormalLaw> stiffening;
     /// Whether the radius of contact is not Hertz's, from which the engine derives its K_t.
@@ -159,7 +159,7 @@ class ExactContacts {
   ContactLaw contact_law_;
   MakeLaw make_law_ = nullptr;
   ContactRange range_;
-  FixOthers* others_ = nullptr;
+  FixAccelerations* accelerations_ = nullptr;
   MobileParticles mobile_;
   std::vector<KnownContact> known_;  // the last of each two types
   const KnownContact* followed_ = nullptr;
@@ -172,7 +172,7 @@ class ExactContacts {
 inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
                                  double& force, ContactEnergies* energies) {
   double* const history = contact.contact_history + offset_;
-  const double now = others_->clock();
+  const double now = accelerations_->clock();
   if (ContactState::phase_of(history) != ContactState::persistent || history[STEP] != now)
     return false;
   if (!contact.computeflag || !contact.shearupdate) return false;
@@ -210,7 +210,7 @@ inline bool ExactContacts::is_far(const ContactModels::SurfacesCloseData& d) con
   const double dt = lmp_->update->dt;
   const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
   const double outer = d.radsum + range_.gap + range_.ratio * d.radsum;
-  const double by_others = outer + 2.0 * dt * dt * others_->largest();
+  const double by_others = outer + 2.0 * dt * dt * accelerations_->largest();
   // r > by_others + dt closing, times r
   const double flown = dt * std::max(-dot(w, cohesion::vector(d.delta)), 0.0);
   const double left = d.rsq - (1.0 + 1e-12) * flown;
@@ -232,7 +232,8 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
   double here = step.at.radius_stiffness;
   if (k.stiffening && here == 0.0) here = radius_stiffness(contact.deltan);
   if (k.wider_than_hertz) {
-    const double wider = here / (1.5 * contact.kn);
+    const double wider =
+        here / cohesion::contact::HertzSpringDashpot::radius_stiffness_of(contact.kn);
     contact.kt *= wider;
     contact.gammat *= std::sqrt(wider);
   }

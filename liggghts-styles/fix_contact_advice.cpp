@@ -57,7 +57,7 @@ void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
 
 /// Walls of which there is the same to say are named together.
 void FixContactAdvice::advise_if_due(bool setup) {
-  if (asked_.empty() || !watch_.due(setup)) return;
+  if (asked_.empty() || !changes_.due(setup)) return;
   struct Said {
     Report report;
     std::string walls;
@@ -66,7 +66,7 @@ void FixContactAdvice::advise_if_due(bool setup) {
   for (const auto& asked : asked_) {
     const auto advice = asked.lock();
     if (!advice) continue;
-    Report report = advice->report(watch_.now());
+    Report report = advice->report(changes_.now());
     const auto same = std::find_if(all.begin(), all.end(), [&](const Said& said) {
       return !said.walls.empty() && !advice->wall().empty() && is_same(said.report, report);
     });

@@ -29,7 +29,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   static constexpr const char* STYLE = "cohesion_advice";
 
   FixContactAdvice(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-      : Fix(engine, count, words), watch_(engine) {}
+      : Fix(engine, count, words), changes_(engine) {}
 
   int setmask() override;
   void setup_pre_force(int) override;
@@ -55,7 +55,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   void warn_of_unmoved();
   void warn_of_mixed_schemes();
 
-  ContactWatch watch_;
+  ContactWatch changes_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
   std::optional<MobileParticles> held_;  // as the run began

@@ -11,7 +11,7 @@
 #include "comm.h"
 #include "energy_tally_of_runs.h"
 #include "error.h"
-#include "fix_others.h"
+#include "fix_accelerations.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "hidden_fix.h"
@@ -72,14 +72,14 @@ void FixEnergyTally::to_the_end(LAMMPS* lmp) {
 
 /// By the clock of contacts of scheme exact; 0: there are none.
 double FixEnergyTally::clock() const {
-  const FixOthers* const others = find_hidden_fix<FixOthers>(lmp);
+  const FixAccelerations* const others = find_hidden_fix<FixAccelerations>(lmp);
   return others ? others->clock() : 0.0;
 }
 
 /// Contacts of scheme exact go on with the forces of the last run, unless there were none or the
 /// step is another.
 void FixEnergyTally::setup(int) {
-  const FixOthers* const others = find_hidden_fix<FixOthers>(lmp);
+  const FixAccelerations* const others = find_hidden_fix<FixAccelerations>(lmp);
   const bool starts = others && others->last_step() != update->dt;
   const bool known = last_clock_ == clock();
   if (others && !starts && !known && comm->me == 0)

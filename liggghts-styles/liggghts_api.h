@@ -25,7 +25,7 @@
 #include "update.h"
 #include "vector3.h"
 
-// What lammps-package/both_engines/engine_api.h has for styles of both engines, for LIGGGHTS 3.8.
+// What lammps-package/common/engine_api.h has for styles of both engines, for LIGGGHTS 3.8.
 
 namespace LAMMPS_NS {
 namespace engine_api {

@@ -111,16 +111,16 @@ std::vector<int> ContactWatch::adapted_every() const {
 bool ContactWatch::due(bool setup) {
   const double dt = lmp_->update->dt;
   if (setup)
-    watch_.set_up(adapted_every());
-  else if (!watch_.may_differ(lmp_->neighbor->ago == 0, static_cast<long>(lmp_->update->ntimestep),
-                              dt))
+    changes_.set_up(adapted_every());
+  else if (!changes_.may_differ(lmp_->neighbor->ago == 0,
+                                static_cast<long>(lmp_->update->ntimestep), dt))
     return false;
   scan_particles();
   now_.run.dt = dt;
   now_.run.plane = lmp_->domain->dimension == 2;
   if (setup || now_.run.crowd != advice::Crowd::several) now_.run.crowd = crowd(lmp_);
-  if (!setup && !watch_.worse(now_.lightest, now_.run)) return false;
-  watch_.judged(now_.lightest, now_.run);
+  if (!setup && !changes_.worse(now_.lightest, now_.run)) return false;
+  changes_.judged(now_.lightest, now_.run);
   now_.run.gravity = GravityOfFixes(lmp_->modify).largest();
   now_.run.shear = rate_of_shear(lmp_->domain).amount;
   now_.within_run = !setup;
@@ -139,7 +139,7 @@ ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& 
 
 std::string ContactAdvice::wall() const { return wall_ ? wall_->id : ""; }
 
-advice::Report ContactAdvice::report(const advice::Circumstances& now) {
+advice::Report ContactAdvice::report(const advice::RunConditions& now) {
   const std::string kind =
       normal_.exponent() != 1.0
           ? " (" + normal_.name() + ": linear springs that an impact presses as far)"
@@ -151,12 +151,12 @@ advice::Report ContactAdvice::report(const advice::Circumstances& now) {
     const std::vector<advice::AdvisedContact> all = contacts(now);
     const advice::SchemeLimits& limits =
         exact_ ? advice::exact_scheme_one_pass : advice::sampled_scheme;
-    return given_advice_.only_new(advice::report(who(WALLS), limits, all, now.run), all, now);
+    return warning_filter_.only_new(advice::report(who(WALLS), limits, all, now.run), all, now);
   });
 }
 
 std::vector<advice::AdvisedContact> ContactAdvice::contacts(
-    const advice::Circumstances& now) const {
+    const advice::RunConditions& now) const {
   const std::vector<LightestParticle>& lightest = now.lightest;
   std::vector<advice::AdvisedContact> contacts;
   const auto add = [&](const std::string& name, int i, int j, const LightestParticle& partner) {

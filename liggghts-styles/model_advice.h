@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "advice/change_detector.h"
 #include "advice/contact_report.h"
-#include "advice/given_advice.h"
-#include "advice/watch.h"
+#include "advice/warning_filter.h"
 #include "contact/adhesion.h"
 #include "normal_model_probe.h"
 
@@ -30,15 +30,15 @@ class ContactWatch {
   /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
   /// step, on all ranks, when the list of neighbours is that of the step.
   bool due(bool setup);
-  const cohesion::advice::Circumstances& now() const { return now_; }
+  const cohesion::advice::RunConditions& now() const { return now_; }
 
  private:
   void scan_particles();
   std::vector<int> adapted_every() const;
 
   LAMMPS_NS::LAMMPS* lmp_;
-  cohesion::advice::Circumstances now_;
-  cohesion::advice::Watch watch_;
+  cohesion::advice::RunConditions now_;
+  cohesion::advice::ChangeDetector changes_;
 };
 
 /// What a contact model has to say of a run before it can go wrong: the table of numbers that
@@ -55,7 +55,7 @@ class ContactAdvice {
                 const NormalModelProbe& normal, Adhesion adhesion, ContactLaw contact_law);
 
   /// What there is to say, but for which walls; stands in their place.
-  cohesion::advice::Report report(const cohesion::advice::Circumstances& now);
+  cohesion::advice::Report report(const cohesion::advice::RunConditions& now);
   static constexpr const char* WALLS = "\x01";
   /// ID of the fix of the wall; empty for pairs.
   std::string wall() const;
@@ -68,7 +68,7 @@ class ContactAdvice {
 
  private:
   std::vector<cohesion::advice::AdvisedContact> contacts(
-      const cohesion::advice::Circumstances& now) const;
+      const cohesion::advice::RunConditions& now) const;
   void set_springs(cohesion::advice::AdvisedContact& contact, int itype, int jtype,
                    const cohesion::advice::RunNumbers& run) const;
   bool has(const char* kind, const char* model) const;
@@ -81,7 +81,7 @@ class ContactAdvice {
   Adhesion adhesion_;
   ContactLaw contact_law_;
   bool exact_ = false;
-  cohesion::advice::GivenAdvice given_advice_;
+  cohesion::advice::WarningFilter warning_filter_;
 };
 
 }  // namespace Cohesion

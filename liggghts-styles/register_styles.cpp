@@ -19,13 +19,13 @@
 #include "domain.h"
 #include "engine_api.h"
 #include "error.h"
+#include "fix_accelerations.h"
 #include "fix_agglomerates.h"
 #include "fix_contact_advice.h"
 #include "fix_deform_shear.h"
 #include "fix_drive.h"
 #include "fix_energy_tally.h"
 #include "fix_gas_coupling.h"
-#include "fix_others.h"
 #include "lammps.h"
 #include "modify.h"
 #include "unknown_models.h"
@@ -81,7 +81,7 @@ void register_styles(LAMMPS* lmp) {
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
   fixes[FixEnergyTally::STYLE] = &make_fix<FixEnergyTally>;
-  fixes[FixOthers::STYLE] = &make_fix<FixOthers>;
+  fixes[FixAccelerations::STYLE] = &make_fix<FixAccelerations>;
   Computes& computes = *computes_of(*lmp->modify);
   computes["gran/energy"] = &make_compute<ComputeGranEnergy>;
   computes["shear/profile"] = &make_compute<ComputeShearProfile>;

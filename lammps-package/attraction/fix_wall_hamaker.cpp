@@ -182,10 +182,10 @@ void FixWallHamaker::give_advice() {
   advice.print(lmp);
 }
 
-void FixWallHamaker::add_advice(const Circumstances& of_all, AdviceOfStyles& advice) {
+void FixWallHamaker::add_advice(const RunConditions& of_all, AdviceOfStyles& advice) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::string where = std::string("fix ") + id + " wall/hamaker";
-  const Circumstances now = of_group(lmp, of_all, groupbit);
+  const RunConditions now = of_group(lmp, of_all, groupbit);
   const std::vector<LightestParticle>& lightest = now.lightest;
   std::vector<AdvisedContact> contacts;
   for (int type = 1; type <= atom->ntypes; type++) {

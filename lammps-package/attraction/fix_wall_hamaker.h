@@ -56,7 +56,7 @@ class FixWallHamaker : public Fix {
   void stop_at_passage(int i) const;
   std::vector<FixWallHamaker*> all_of_style() const;
   void give_advice();
-  void add_advice(const Circumstances&, AdviceOfStyles&);
+  void add_advice(const RunConditions&, AdviceOfStyles&);
   void sum();
 
   cohesion::hamaker::Parameters given;
@@ -66,7 +66,7 @@ class FixWallHamaker : public Fix {
   WallHistory history;  // of each particle and plane its flag alone
   ContactWatch watch;
   bool gives_advice;  // for all fixes of this style
-  cohesion::advice::GivenAdvice given_advice;
+  cohesion::advice::WarningFilter given_advice;
   double mine[4];  // energy, force on the walls
   double total[4];
   bool summed;

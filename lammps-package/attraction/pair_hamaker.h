@@ -72,7 +72,7 @@ class PairHamaker : public Pair, public BoundPairs {
   bool needs_list;                                      // whether any pair is looked at in this run
   bool warned;                                          // of numbers without keywords
   ContactWatch watch;
-  cohesion::advice::GivenAdvice given_advice;
+  cohesion::advice::WarningFilter given_advice;
 };
 
 }  // namespace LAMMPS_NS

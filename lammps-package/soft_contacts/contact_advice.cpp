@@ -75,7 +75,7 @@ advice::Crowd crowd(LAMMPS* lmp) {
 
 /// The lightest particles of the group, those that fixes have announced among them, and the
 /// fastest.
-void scan_particles(LAMMPS* lmp, int groupbit, Circumstances& now) {
+void scan_particles(LAMMPS* lmp, int groupbit, RunConditions& now) {
   const Atom* const atom = lmp->atom;
   const double none = std::numeric_limits<double>::infinity();
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
@@ -109,8 +109,8 @@ void scan_particles(LAMMPS* lmp, int groupbit, Circumstances& now) {
 
 }  // namespace
 
-Circumstances LAMMPS_NS::of_group(LAMMPS* lmp, const Circumstances& now, int groupbit) {
-  Circumstances of_group = now;
+RunConditions LAMMPS_NS::of_group(LAMMPS* lmp, const RunConditions& now, int groupbit) {
+  RunConditions of_group = now;
   if (groupbit == ALL) return of_group;
   scan_particles(lmp, groupbit, of_group);
   of_group.run.gravity = gravity(lmp, groupbit);
@@ -129,15 +129,15 @@ std::vector<int> ContactWatch::adapted_every() const {
 bool ContactWatch::due(bool setup) {
   const double dt = update->dt;
   if (setup)
-    watch_.set_up(adapted_every());
-  else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
+    changes_.set_up(adapted_every());
+  else if (!changes_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
     return false;
   scan_particles(lmp, ALL, now_);
   now_.run.dt = dt;
   now_.run.plane = domain->dimension == 2;
   if (setup || now_.run.crowd != advice::Crowd::several) now_.run.crowd = crowd(lmp);
-  if (!setup && !watch_.worse(now_.lightest, now_.run)) return false;
-  watch_.judged(now_.lightest, now_.run);
+  if (!setup && !changes_.worse(now_.lightest, now_.run)) return false;
+  changes_.judged(now_.lightest, now_.run);
   now_.run.gravity = gravity(lmp, ALL);
   now_.run.shear = rate_of_shear(domain).amount;
   now_.within_run = !setup;
@@ -194,8 +194,8 @@ void AdviceOfStyles::print(LAMMPS* lmp) const {
 advice::Report LAMMPS_NS::advice_of_contacts(LAMMPS* lmp, const std::string& where,
                                              const advice::SchemeLimits& limits,
                                              const std::vector<AdvisedContact>& contacts,
-                                             const Circumstances& now,
-                                             advice::GivenAdvice& given_advice) {
+                                             const RunConditions& now,
+                                             advice::WarningFilter& given_advice) {
   return from_script(lmp, where, [&] {
     return given_advice.only_new(advice::report("", limits, contacts, now.run), contacts, now);
   });
@@ -204,8 +204,8 @@ advice::Report LAMMPS_NS::advice_of_contacts(LAMMPS* lmp, const std::string& whe
 advice::Report LAMMPS_NS::advice_of_attraction(LAMMPS* lmp, const std::string& where,
                                                std::string_view remedy,
                                                const std::vector<AdvisedContact>& contacts,
-                                               const Circumstances& now,
-                                               advice::GivenAdvice& given_advice) {
+                                               const RunConditions& now,
+                                               advice::WarningFilter& given_advice) {
   advice::SchemeLimits limits = advice::sampled_scheme;
   limits.remedy = remedy;
   return from_script(lmp, where, [&] {

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "advice/change_detector.h"
 #include "advice/contact_report.h"
-#include "advice/given_advice.h"
-#include "advice/watch.h"
+#include "advice/warning_filter.h"
 #include "contact/contact_parameters.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
 
 using cohesion::advice::AdvisedContact;
-using cohesion::advice::Circumstances;
 using cohesion::advice::LightestParticle;
+using cohesion::advice::RunConditions;
 
 /// What styles report of their contacts before the first step of a run, in the order of the styles.
 /// Fixes of one style that report the same report it once, with their IDs.
@@ -44,7 +44,7 @@ class AdviceOfStyles {
 /// hold.
 class AdvisedStyle {
  public:
-  virtual void give_advice(const Circumstances&, AdviceOfStyles&) = 0;
+  virtual void give_advice(const RunConditions&, AdviceOfStyles&) = 0;
 
  protected:
   ~AdvisedStyle() = default;
@@ -60,20 +60,20 @@ class ContactWatch : protected Pointers {
   /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
   /// step, on all ranks, when the list of neighbours is that of the step.
   bool due(bool setup);
-  const Circumstances& now() const { return now_; }
+  const RunConditions& now() const { return now_; }
   /// What they are judged by besides has changed.
-  void forget() { watch_.forget(); }
+  void forget() { changes_.forget(); }
 
  private:
   std::vector<int> adapted_every() const;
 
-  Circumstances now_;
-  cohesion::advice::Watch watch_;
+  RunConditions now_;
+  cohesion::advice::ChangeDetector changes_;
 };
 
 /// `now` as far as the particles of a group go, of which some may be still to come. All ranks call
 /// it.
-Circumstances of_group(LAMMPS*, const Circumstances& now, int groupbit);
+RunConditions of_group(LAMMPS*, const RunConditions& now, int groupbit);
 
 /// A contact between these two; without springs when neither moves.
 AdvisedContact advised_contact(const std::string& name, const LightestParticle& i,
@@ -88,16 +88,16 @@ AdvisedContact advised_contact(const std::string& name, const LightestParticle& 
 cohesion::advice::Report advice_of_contacts(LAMMPS*, const std::string& where,
                                             const cohesion::advice::SchemeLimits&,
                                             const std::vector<AdvisedContact>&,
-                                            const Circumstances&,
-                                            cohesion::advice::GivenAdvice& given_advice);
+                                            const RunConditions&,
+                                            cohesion::advice::WarningFilter& given_advice);
 
 /// The same of an attraction alone, laid over the contacts of another style. `remedy`: what else
 /// than a smaller step helps.
 cohesion::advice::Report advice_of_attraction(LAMMPS*, const std::string& where,
                                               std::string_view remedy,
                                               const std::vector<AdvisedContact>&,
-                                              const Circumstances&,
-                                              cohesion::advice::GivenAdvice& given_advice);
+                                              const RunConditions&,
+                                              cohesion::advice::WarningFilter& given_advice);
 
 }  // namespace LAMMPS_NS
 

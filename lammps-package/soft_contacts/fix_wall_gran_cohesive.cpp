@@ -158,8 +158,8 @@ void FixWallGranCohesive<Cohesion>::post_force(int) {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all, AdviceOfStyles& all) {
-  const Circumstances now = of_group(lmp, of_all, groupbit);
+void FixWallGranCohesive<Cohesion>::give_advice(const RunConditions& of_all, AdviceOfStyles& all) {
+  const RunConditions now = of_group(lmp, of_all, groupbit);
   const auto advised = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
   all.add(style, id, advice_of_contacts(lmp, where, limits_of(scheme), advised, now, given_advice));
 }

@@ -39,7 +39,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   bool is_exact_scheme() const override { return scheme == Scheme::exact; }
   std::string name() const override { return where; }
   void continue_run() override;
-  void give_advice(const Circumstances&, AdviceOfStyles&) override;
+  void give_advice(const RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
@@ -109,7 +109,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   }
 
   std::string where;  // in front of messages
-  cohesion::advice::GivenAdvice given_advice;
+  cohesion::advice::WarningFilter given_advice;
   Scheme scheme;
   Cohesion attraction;
   typename Cohesion::Parameters given_parameters;

@@ -144,7 +144,7 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now, AdviceOfStyles& all) {
+void PairGranCohesive<Cohesion>::give_advice(const RunConditions& now, AdviceOfStyles& all) {
   if (!Cohesion::HAS_CONTACT) return;
   const std::string where = coefficients.where();
   const auto contacts = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });

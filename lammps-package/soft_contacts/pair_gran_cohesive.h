@@ -74,7 +74,7 @@ class PairGranCohesive : public Pair,
   void renumber(const Renumbering& renumbering) override {
     history.renumber(renumbering, atom->nlocal);
   }
-  void give_advice(const Circumstances&, AdviceOfStyles&) override;
+  void give_advice(const RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);
   }
@@ -137,7 +137,7 @@ class PairGranCohesive : public Pair,
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
-  cohesion::advice::GivenAdvice given_advice;
+  cohesion::advice::WarningFilter given_advice;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   ClosePairs close_pairs;                               // those that may touch in a step

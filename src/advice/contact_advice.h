@@ -54,7 +54,7 @@ inline constexpr double rounding_for_warning = 1.0 / 15.0;
 
 enum class Severity { ok, warning, error };
 
-/// What a verdict is about.
+/// What a finding is about.
 enum class Subject {
   contact_steps,    ///< steps per contact against the scheme's limits
   stability,        ///< leapfrog's limit (sampled force only)
@@ -67,7 +67,7 @@ enum class Subject {
   softness,         ///< of the spring, against that of the material (softness.h)
 };
 
-struct Verdict {
+struct Finding {
   Subject subject;
   Severity severity;
   std::string sentence;  ///< the number, and what to change unless ok; in the user's units
@@ -101,7 +101,7 @@ inline double contact_steps_of(const ContactNumbers& n, const SchemeLimits& limi
   return integrated ? n.steps_per_normal_contact() : n.steps_per_contact();
 }
 
-inline Verdict contact_steps(const ContactNumbers& n, SchemeLimits limits) {
+inline Finding contact_steps(const ContactNumbers& n, SchemeLimits limits) {
   const double steps = contact_steps_of(n, limits);
   if (!n.parameters().is_linear && !limits.samples_force) {
     limits.steps_for_warning = limits.integrated_for_warning;
@@ -121,7 +121,7 @@ inline Verdict contact_steps(const ContactNumbers& n, SchemeLimits limits) {
           named};
 }
 
-inline Verdict stability(const ContactNumbers& n) {
+inline Finding stability(const ContactNumbers& n) {
   const double dt = n.parameters().dt, limit = n.stable_step();
   if (dt < limit)
     return {Subject::stability, Severity::ok,
@@ -133,7 +133,7 @@ inline Verdict stability(const ContactNumbers& n) {
 }
 
 /// Where a particle has several contacts, or will have.
-inline Verdict steadiness(const ContactNumbers& n, bool several, bool plane) {
+inline Finding steadiness(const ContactNumbers& n, bool several, bool plane) {
   using contact_solver::ClosestPacking;
   const bool at_wall = !std::isfinite(n.parameters().radius_i + n.parameters().radius_j);
   const double limit = n.steady_step(at_wall ? ClosestPacking::at_wall()
@@ -151,9 +151,9 @@ inline Verdict steadiness(const ContactNumbers& n, bool several, bool plane) {
           limit};
 }
 
-/// The verdict on a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut
+/// The finding on a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut
 /// [length] in `steps` time steps.
-inline Verdict cutoff_steps(double speed, double cutoff, double steps, const SchemeLimits& limits) {
+inline Finding cutoff_steps(double speed, double cutoff, double steps, const SchemeLimits& limits) {
   const std::string sentence =
       text("a pair at ", speed, " crosses the surface cut-off in ", steps, " time steps");
   if (steps >= cutoff_steps_for_warning) return {Subject::cutoff_steps, Severity::ok, sentence};
@@ -163,7 +163,7 @@ inline Verdict cutoff_steps(double speed, double cutoff, double steps, const Sch
 }
 
 /// What 15 steps of a lightly damped contact leave open is allowed to the others, too.
-inline Verdict escape_velocity(const ContactNumbers& n, const SchemeLimits& limits) {
+inline Finding escape_velocity(const ContactNumbers& n, const SchemeLimits& limits) {
   const double open = n.sampled_escape_error(), allowed = 1.0 / limits.steps_for_warning;
   const double escape = n.escape_velocity();
   const std::string sentence = text("the step leaves the speed below which pairs stick, ", escape,
@@ -178,7 +178,7 @@ inline Verdict escape_velocity(const ContactNumbers& n, const SchemeLimits& limi
                           named_step(n.parameters().dt * allowed / open))};
 }
 
-inline Verdict rounding(const ContactNumbers& n, const SchemeLimits& limits) {
+inline Finding rounding(const ContactNumbers& n, const SchemeLimits& limits) {
   const double error = n.rounding_error(limits.speeds_of_places);
   const double allowed = rounding_for_warning;
   const std::string sentence = text("rounded places leave the speed of an impact at ",
@@ -190,7 +190,7 @@ inline Verdict rounding(const ContactNumbers& n, const SchemeLimits& limits) {
 }
 
 /// The overlap falls as stiffness^(-1/power).
-inline Verdict overlap(Subject subject, const char* name, double over_diameter, double stiffness,
+inline Finding overlap(Subject subject, const char* name, double over_diameter, double stiffness,
                        double power) {
   std::string sentence = text(name, " is ", 100.0 * over_diameter, " % of the diameter");
   if (over_diameter <= overlap_for_warning) return {subject, Severity::ok, sentence};
@@ -203,32 +203,32 @@ inline Verdict overlap(Subject subject, const char* name, double over_diameter, 
 
 }  // namespace detail
 
-/// One verdict for each subject that the scheme and the pair have, in the order of Subject.
-inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& limits) {
+/// One finding for each subject that the scheme and the pair have, in the order of Subject.
+inline std::vector<Finding> advise(const ContactNumbers& n, const SchemeLimits& limits) {
   const PairParameters& p = n.parameters();
   const bool attracts = p.adhesion.force > 0.0;
-  std::vector<Verdict> verdicts{detail::contact_steps(n, limits)};
-  if (limits.samples_force) verdicts.push_back(detail::stability(n));
+  std::vector<Finding> findings{detail::contact_steps(n, limits)};
+  if (limits.samples_force) findings.push_back(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
-    verdicts.push_back(
+    findings.push_back(
         detail::cutoff_steps(n.entry_speed(), p.adhesion.cutoff, n.steps_in_cutoff(), limits));
   // A force in the spring has an escape velocity of another kind.
   if (limits.samples_force && !attracts && n.well_energy() > 0.0)
-    verdicts.push_back(detail::escape_velocity(n, limits));
-  verdicts.push_back(detail::rounding(n, limits));
+    findings.push_back(detail::escape_velocity(n, limits));
+  findings.push_back(detail::rounding(n, limits));
   if (attracts)
-    verdicts.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
+    findings.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
                                        n.static_overlap_over_diameter(), p.stiffness, 1.0));
   // Of a fast impact, whose overlap goes as 1/w0; adhesion makes it fall faster.
-  verdicts.push_back(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
+  findings.push_back(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
                                      n.impact_overlap_over_diameter(), p.stiffness, 2.0));
-  return verdicts;
+  return findings;
 }
 
-/// The worst of `verdicts`.
-inline Severity worst(const std::vector<Verdict>& verdicts) {
+/// The worst of `findings`.
+inline Severity worst(const std::vector<Finding>& findings) {
   Severity severity = Severity::ok;
-  for (const Verdict& v : verdicts) severity = std::max(severity, v.severity);
+  for (const Finding& v : findings) severity = std::max(severity, v.severity);
   return severity;
 }
 

@@ -104,10 +104,10 @@ class ContactNumbers {
     for (int k = 0; k < 50; k++) {
       const double dt = 0.5 * (low + high);
       const auto phase = [&](double stiffness, double damping, double inverse_mass) {
-        const contact_solver::GridSpring spring =
+        const contact_solver::DiscreteConstants spring =
             p_.is_linear
-                ? contact_solver::spring_on_grid(stiffness, damping, 1.0 / inverse_mass, dt)
-                : contact_solver::GridSpring{stiffness, damping};
+                ? contact_solver::discrete_constants(stiffness, damping, 1.0 / inverse_mass, dt)
+                : contact_solver::DiscreteConstants{stiffness, damping};
         return contact_solver::squared_phase(spring, dt, inverse_mass);
       };
       // At its largest overlap, Hertz's spring has dF/dx = 3/2 F/x and the dashpot c, where 4/5 F/x

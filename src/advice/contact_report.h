@@ -217,21 +217,21 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
     report.table += detail::row(c, n, limits, escape_velocity(c, run));
-    std::vector<Verdict> verdicts = advise(n, limits);
+    std::vector<Finding> findings = advise(n, limits);
     if (!limits.samples_force && run.crowd != Crowd::pair)
-      verdicts.push_back(detail::steadiness(n, run.crowd == Crowd::several, run.plane));
-    for (const Verdict& verdict : verdicts) {
+      findings.push_back(detail::steadiness(n, run.crowd == Crowd::several, run.plane));
+    for (const Finding& finding : findings) {
       const bool of_overlap =
-          verdict.subject == Subject::static_overlap || verdict.subject == Subject::impact_overlap;
+          finding.subject == Subject::static_overlap || finding.subject == Subject::impact_overlap;
       const std::string message =
-          style + ", " + c.name + ": " + (of_overlap ? c.doubt : "") + verdict.sentence;
-      if (verdict.severity == Severity::warning)
-        report.warnings.push_back({{c.name}, verdict.subject, message});
-      if (verdict.severity == Severity::error &&
+          style + ", " + c.name + ": " + (of_overlap ? c.doubt : "") + finding.sentence;
+      if (finding.severity == Severity::warning)
+        report.warnings.push_back({{c.name}, finding.subject, message});
+      if (finding.severity == Severity::error &&
           (report.stop.empty() ||
-           (std::isfinite(largest_step) && verdict.largest_step < largest_step))) {
+           (std::isfinite(largest_step) && finding.largest_step < largest_step))) {
         report.stop = message;
-        largest_step = verdict.largest_step;
+        largest_step = finding.largest_step;
       }
     }
   }
@@ -254,10 +254,10 @@ inline Report attraction_report(const std::string& style, const SchemeLimits& li
     const double steps = c.adhesion.cutoff / (speed * run.dt);
     report.table += detail::name(c) + detail::number("%9.3g", approach_speed(run, c)) +
                     detail::number("%14.3g", steps) + "\n";
-    const Verdict verdict = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits);
-    if (verdict.severity == Severity::warning)
+    const Finding finding = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits);
+    if (finding.severity == Severity::warning)
       report.warnings.push_back(
-          {{c.name}, verdict.subject, style + ", " + c.name + ": " + verdict.sentence});
+          {{c.name}, finding.subject, style + ", " + c.name + ": " + finding.sentence});
   }
   return report;
 }

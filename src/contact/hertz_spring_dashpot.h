@@ -48,6 +48,12 @@ class HertzSpringDashpot {
     return {k, Damping::fourth_root, std::sqrt(5.0 * reduced_mass * k) * part, reduced_mass};
   }
 
+  /// LawPoint::radius_stiffness of Hertz's contact whose force over the overlap is F/x
+  /// [force/length].
+  static constexpr double radius_stiffness_of(double force_over_overlap) {
+    return 1.5 * force_over_overlap;
+  }
+
   double coefficient() const { return coefficient_; }
   /// E* [force/length^2] of a contact with this R* [length].
   double reduced_modulus(double reduced_radius) const {

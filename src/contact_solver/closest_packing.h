@@ -8,7 +8,7 @@ namespace cohesion::contact_solver {
 /// (w dt)^2 of one discrete spring [1], whose dashpot takes the velocity of half a step before and
 /// counts as stiffness. step [time]; inverse_mass [1/mass]: of the motion that stretches the
 /// spring.
-inline double squared_phase(const GridSpring& spring, double step, double inverse_mass) {
+inline double squared_phase(const DiscreteConstants& spring, double step, double inverse_mass) {
   return (spring.stiffness + 2.0 * spring.damping / step) * step * step * inverse_mass;
 }
 

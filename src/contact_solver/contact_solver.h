@@ -51,7 +51,7 @@ class ContactSolver : public PairCourse {
   /// The acceleration along the normal by other forces in the last step, [length/time^2], from that
   /// by all forces but impulses. The contact's own force acted along the normal of that time.
   double external(double by_all, const StaggeredMotion& now, const ContactState& state) const {
-    const double own = lasting_force(state);
+    const double own = persistent_force(state);
     if (own == 0.0) return by_all;
     const double along = now.distance - step() * now.rate;
     return by_all - own / reduced_mass_ * along / std::hypot(along, step() * now.sideways);
@@ -111,7 +111,7 @@ class ContactSolver : public PairCourse {
            stored(now, state.in_range());
   }
   double exchanged(double external, const ContactState& state) const {
-    return state.is_outside() ? 0.0 : account_.exchanged(lasting_force(state), external, state);
+    return state.is_outside() ? 0.0 : account_.exchanged(persistent_force(state), external, state);
   }
   /// What the dashpot has dissipated since the last time level, as far as it is known only now,
   /// [energy].
@@ -164,7 +164,7 @@ class ContactSolver : public PairCourse {
     if (flies && before.has_nothing_pending()) {
       if (in_range) {
         state.account = account;
-        state.force_before = lasting_force(before);
+        state.force_before = persistent_force(before);
         state.external_before = external;
       }
       return result;  // not to carry the rounding of no change into the force
@@ -183,7 +183,7 @@ class ContactSolver : public PairCourse {
     if (!flies) state.velocity_offset = now.radial - staggered - 0.5 * step() * external;
     state.last_rate = at.mean_rate(step());
     state.force = result.force;
-    state.force_before = lasting_force(before);
+    state.force_before = persistent_force(before);
     state.external_before = external;
     state.contact_time = result.normal.contact_time;
     result.dissipated = std::visit(
@@ -284,7 +284,7 @@ class ContactSolver : public PairCourse {
     state.contact_time = step();
   }
 
-  double lasting_force(const ContactState& state) const {
+  double persistent_force(const ContactState& state) const {
     return gave_impulse(state) ? 0.0 : state.force;
   }
 
@@ -317,7 +317,7 @@ class ContactSolver : public PairCourse {
   /// yet.
   double account_up_to(const StaggeredMotion& now, double external,
                        const ContactState& state) const {
-    const double exchanged = account_.exchanged(lasting_force(state), external, state);
+    const double exchanged = account_.exchanged(persistent_force(state), external, state);
     const ContactPoint here = point(now);
     return exchanged + std::visit(
                            [&](const auto& c) {

@@ -44,7 +44,7 @@ class ContactSpring {
                                          inverse_mass_);
   }
   /// The constants of one that stiffens, at this point of the law.
-  GridSpring constants_at(const contact::LawPoint& here) const {
+  DiscreteConstants constants_at(const contact::LawPoint& here) const {
     const contact::TangentialParameters p = parameters(here);
     return constant_.constants_at_time_level(p.stiffness, p.damping);
   }

@@ -11,7 +11,7 @@ namespace cohesion::contact_solver {
 
 /// Spring and dashpot whose force at grid points, from the position there and the velocity of the
 /// half step before, makes a particle on the grid follow a damped oscillator exactly.
-struct GridSpring {
+struct DiscreteConstants {
   double stiffness;  ///< K', [force/length]
   double damping;    ///< eta', [mass/time]
 };
@@ -67,7 +67,7 @@ class DampedOscillator {
   /// K' = m (1 + d - 2 c)/t^2 and eta' = m (1 - d)/t of x_(n+1) = 2 c x_n - d x_(n-1) on a grid of
   /// step t [time]; 2 c is the sum of what a step leaves of the two modes, d their product. `mass`:
   /// that w0 and alpha are of.
-  GridSpring on_grid(double t, double mass) const {
+  DiscreteConstants on_grid(double t, double mass) const {
     const double lost = -std::expm1(-2.0 * alpha_ * t);
     double curvature;  // 1 + d - 2 c
     if (overdamped_) {
@@ -170,7 +170,8 @@ class DampedOscillator {
 
 /// K' and eta' on a grid of step t [time] of a spring and dashpot that act on `mass`; the spring
 /// may be missing.
-inline GridSpring spring_on_grid(double stiffness, double damping, double mass, double t) {
+inline DiscreteConstants discrete_constants(double stiffness, double damping, double mass,
+                                            double t) {
   if (stiffness > 0.0)
     return DampedOscillator(stiffness / mass, 0.5 * damping / mass).on_grid(t, mass);
   return {0.0, -std::expm1(-damping * t / mass) * mass / t};
@@ -179,12 +180,13 @@ inline GridSpring spring_on_grid(double stiffness, double damping, double mass, 
 /// The forces, for half a step each, between which a run of such steps stands: `first` from the
 /// true velocity at its first grid point to that of the first half step, `last` from the velocity
 /// of the last half step to the true one at its last grid point.
-struct GridEnds {
-  GridSpring first, last;
+struct DiscreteEndConstants {
+  DiscreteConstants first, last;
 };
 
-inline GridEnds ends_on_grid(double stiffness, double damping, double mass, double t) {
-  const GridSpring plain = spring_on_grid(stiffness, damping, mass, t);
+inline DiscreteEndConstants discrete_end_constants(double stiffness, double damping, double mass,
+                                                   double t) {
+  const DiscreteConstants plain = discrete_constants(stiffness, damping, mass, t);
   if (!(stiffness > 0.0)) {
     const double rate = damping / mass * t;
     const double way = rate > 0.0 ? -std::expm1(-rate) / rate : 1.0;

@@ -22,8 +22,8 @@ class DiscreteSpring {
   /// step [time]; inverse_mass [1/mass]: the effective one of the motion that stretches the spring.
   DiscreteSpring(const contact::TangentialParameters& p, double step, double inverse_mass)
       : law_(p),
-        constants_(spring_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
-        ends_(ends_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        constants_(discrete_constants(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        ends_(discrete_end_constants(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
         friction_(p.friction),
         step_(step),
         inverse_mass_(inverse_mass) {}
@@ -37,7 +37,7 @@ class DiscreteSpring {
   }
 
   /// The constants of such a spring, for advance_persistent() of one of the same step and mass.
-  GridSpring constants_at_time_level(double stiffness, double damping) const {
+  DiscreteConstants constants_at_time_level(double stiffness, double damping) const {
     return constants_at_time_level(stiffness, damping, step_, inverse_mass_);
   }
 
@@ -55,7 +55,7 @@ class DiscreteSpring {
   /// The same of a contact that was persistent in the last step and has other constants now.
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
-                                                    const GridSpring& constants,
+                                                    const DiscreteConstants& constants,
                                                     State& state) const {
     bool slips;
     return advance_persistent(plane, rate, repulsion, true, constants, constants, state, slips);
@@ -115,8 +115,8 @@ class DiscreteSpring {
   bool is_present() const { return friction_ > 0.0; }
 
  private:
-  DiscreteSpring(const contact::TangentialParameters& p, const GridSpring& constants, double step,
-                 double inverse_mass)
+  DiscreteSpring(const contact::TangentialParameters& p, const DiscreteConstants& constants,
+                 double step, double inverse_mass)
       : law_(p),
         constants_(constants),
         ends_{constants, constants},
@@ -124,8 +124,8 @@ class DiscreteSpring {
         step_(step),
         inverse_mass_(inverse_mass) {}
 
-  static GridSpring constants_at_time_level(double stiffness, double damping, double step,
-                                            double inverse_mass) {
+  static DiscreteConstants constants_at_time_level(double stiffness, double damping, double step,
+                                                   double inverse_mass) {
     const double part = 1.0 / (1.0 + 0.5 * damping * step * inverse_mass);
     return {part * stiffness, part * damping};
   }
@@ -133,8 +133,9 @@ class DiscreteSpring {
   /// first: of the first step of a persistent contact.
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
-                                                    bool persisted, const GridSpring& constants,
-                                                    const GridSpring& first, State& state,
+                                                    bool persisted,
+                                                    const DiscreteConstants& constants,
+                                                    const DiscreteConstants& first, State& state,
                                                     bool& slips) const {
     const Vector3 turned = plane.turned_into(state.stretch);
     const Vector3 stretched = turned + step_ * rate;
@@ -158,13 +159,14 @@ class DiscreteSpring {
     return impulse;
   }
 
-  static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
+  static Vector3 sticking_force(const DiscreteConstants& spring, const Vector3& s,
+                                const Vector3& rate) {
     return -spring.stiffness * s - spring.damping * rate;
   }
 
   contact::TangentialSpring law_;
-  GridSpring constants_;
-  GridEnds ends_;
+  DiscreteConstants constants_;
+  DiscreteEndConstants ends_;
   double friction_;
   double step_;
   double inverse_mass_;

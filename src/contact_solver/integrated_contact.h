@@ -97,8 +97,8 @@ class IntegratedContact {
                           const ContactState& state, double adhesion_energy,
                           PersistentStep& step) const {
     const Arrival here = arrive(now, load, centrifugal, state, adhesion_energy);
-    const double own = (adhesion_ - here.at.force - here.at.damping * here.grid_rate);
-    if (!lasts(now.overlap, here.grid_rate, own * inverse_mass_ - load, load)) return false;
+    const double own = (adhesion_ - here.at.force - here.at.damping * here.discrete_rate);
+    if (!lasts(now.overlap, here.discrete_rate, own * inverse_mass_ - load, load)) return false;
     step.force = -own;
     step.repulsion = friction_load_ - own;
     step.account = here.work + here.dissipated +
@@ -142,7 +142,7 @@ class IntegratedContact {
   double true_rate(const ContactPoint& now, const StaggeredMotion& at, double /*outward*/,
                    const ContactState& state, double adhesion_energy) const {
     const Arrival here = arrive(now, at, state, adhesion_energy);
-    if (here.grid_rate >= 0.0) return -here.grid_rate;
+    if (here.discrete_rate >= 0.0) return -here.discrete_rate;
     return std::sqrt(std::max(here.energy_left - 2.0 * inverse_mass_ * here.dissipated, 0.0));
   }
 
@@ -168,11 +168,11 @@ class IntegratedContact {
   /// A persistent contact at the next time level.
   struct Arrival {
     contact::LawPoint at;
-    double grid_rate;    ///< of approach, by the discrete motion, [length/time]
-    double rate;         ///< the same, by the energy where that is near, [length/time]
-    double work;         ///< of the last force on its way here, [energy]
-    double energy_left;  ///< twice the energy of the approach per mass, if nothing was dissipated
-    double dissipated;   ///< since the last time level, [energy]
+    double discrete_rate;  ///< of approach, by the discrete motion, [length/time]
+    double rate;           ///< the same, by the energy where that is near, [length/time]
+    double work;           ///< of the last force on its way here, [energy]
+    double energy_left;    ///< twice the energy of the approach per mass, if nothing was dissipated
+    double dissipated;     ///< since the last time level, [energy]
     double radius_stiffness_before;  ///< below 0: not known
   };
   /// How a pair parts; speed 0: it does not.
@@ -190,9 +190,9 @@ class IntegratedContact {
     Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0, -1.0};
     const double half = 0.5 * step_;
     const double chord = -now.rate;
-    here.grid_rate = (chord + half * ((adhesion_ - here.at.force) * inverse_mass_ - load)) /
-                     (1.0 + half * here.at.damping * inverse_mass_);
-    here.rate = here.grid_rate;
+    here.discrete_rate = (chord + half * ((adhesion_ - here.at.force) * inverse_mass_ - load)) /
+                         (1.0 + half * here.at.damping * inverse_mass_);
+    here.rate = here.discrete_rate;
     here.work = half * state.force * (now.rate - half * centrifugal);
     const double others = chord - half * load;
     here.energy_left =
@@ -213,9 +213,9 @@ class IntegratedContact {
     const double guess =
         std::max(-now.rate * (here.at.damping_integral - before.damping_integral), 0.0);
     const double square = here.energy_left - 2.0 * inverse_mass_ * guess;
-    const double grid = here.grid_rate * here.grid_rate;
+    const double grid = here.discrete_rate * here.discrete_rate;
     if (std::abs(square - grid) < trusted * grid)
-      here.rate = std::copysign(std::sqrt(square), here.grid_rate);
+      here.rate = std::copysign(std::sqrt(square), here.discrete_rate);
     const double v = here.rate;
     const double s0 = v0 * v0, s1 = v * v;
     if (v * v0 <= 0.0) {  // turns: two legs at a constant acceleration

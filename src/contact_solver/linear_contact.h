@@ -50,7 +50,7 @@ class LinearContact {
   }
 
   /// K' and eta'.
-  const GridSpring& discrete_spring() const { return discrete_; }
+  const DiscreteConstants& discrete_spring() const { return discrete_; }
 
   /// Energy stored in the spring at overlap x, [energy].
   double spring_energy(double x) const {
@@ -232,7 +232,7 @@ class LinearContact {
 
   DampedOscillator oscillator_;
   DampedOscillator::Propagator whole_step_;
-  GridSpring discrete_;
+  DiscreteConstants discrete_;
   double reduced_mass_;
   double inverse_mass_;
   double adhesion_;    // F_ad

@@ -36,7 +36,7 @@ class Names(unittest.TestCase):
     def test_no_name_twice_in_a_build(self):
         core = sources(SOURCE / "src")
         self.assertEqual(twice(core + sources(*rooms())), [])
-        self.assertEqual(twice(core + sources(LIGGGHTS, LIGGGHTS / "model-lists", PACKAGE / "both_engines")), [])
+        self.assertEqual(twice(core + sources(LIGGGHTS, LIGGGHTS / "model-lists", PACKAGE / "common")), [])
 
     def test_no_header_twice_in_both_adapters_unless_a_style_of_both(self):
         """Engines prescribe the file names of their styles."""

@@ -7,17 +7,17 @@
 namespace cohesion::advice {
 namespace {
 
-const Verdict* find(const std::vector<Verdict>& verdicts, Subject subject) {
-  for (const Verdict& v : verdicts)
+const Finding* find(const std::vector<Finding>& findings, Subject subject) {
+  for (const Finding& v : findings)
     if (v.subject == subject) return &v;
   return nullptr;
 }
 
-/// The verdict on `subject`, which must be there; a sentence with `part`.
+/// The finding on `subject`, which must be there; a sentence with `part`.
 void expect_verdict(const PairParameters& p, const SchemeLimits& limits, Subject subject,
                     Severity severity, const std::string& part) {
-  const auto verdicts = advise(ContactNumbers(p), limits);
-  const Verdict* found = find(verdicts, subject);
+  const auto findings = advise(ContactNumbers(p), limits);
+  const Finding* found = find(findings, subject);
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->severity, severity) << found->sentence;
   EXPECT_NE(found->sentence.find(part), std::string::npos) << found->sentence;
@@ -51,7 +51,7 @@ TEST(ContactAdvice, StepsPerContactAreJudgedByTheScheme) {
 }
 
 TEST(ContactAdvice, NoLeastNumberOfStepsIsNamedWhereThereIsNone) {
-  for (const Verdict& v : advise(ContactNumbers(at_steps(10.0)), sampled_scheme))
+  for (const Finding& v : advise(ContactNumbers(at_steps(10.0)), sampled_scheme))
     EXPECT_EQ(v.sentence.find("fewer than"), std::string::npos) << v.sentence;
 }
 
@@ -146,9 +146,9 @@ TEST(ContactAdvice, LargeStaticOverlapNamesTheStiffness) {
 TEST(ContactAdvice, CohesionlessPairIsNotToldAboutAdhesion) {
   PairParameters p = without_adhesion();
   p.dt = 1e-6;
-  const auto verdicts = advise(ContactNumbers(p), sampled_scheme);
-  EXPECT_EQ(verdicts.size(), 4u);
-  EXPECT_EQ(worst(verdicts), Severity::ok);
+  const auto findings = advise(ContactNumbers(p), sampled_scheme);
+  EXPECT_EQ(findings.size(), 4u);
+  EXPECT_EQ(worst(findings), Severity::ok);
 }
 
 TEST(ContactAdvice, WorstIsTheWorst) {

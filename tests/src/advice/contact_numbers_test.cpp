@@ -87,7 +87,7 @@ TEST(ContactNumbers, SteadyStepOfDampedSpringsIsWhereASphereBetweenTwelveOthersS
     const double limit = ContactNumbers(p).steady_step(contact_solver::ClosestPacking::in_space());
     for (const double off : {-1e-3, 1e-3}) {
       const double dt = limit * (1.0 + off);
-      const auto spring = contact_solver::spring_on_grid(p.stiffness, p.damping, mu, dt);
+      const auto spring = contact_solver::discrete_constants(p.stiffness, p.damping, mu, dt);
       double x = 1.0, step = 0.0;  // step: v dt
       for (int n = 0; n < 100000 && std::abs(x) < 1e6; n++) {
         step -= 4.0 * dt / mu * (spring.stiffness * dt * x + spring.damping * step);

@@ -92,7 +92,7 @@ TEST(ContactSolver, RecursionOnTheGridIsTheClosedForm) {
       const double dt = thesis::contact_time / part, mu = thesis::reduced_mass;
       const DampedOscillator oscillator(thesis::contact().stiffness / mu,
                                         0.5 * share * critical / mu);
-      const GridSpring grid = oscillator.on_grid(dt, mu);
+      const DiscreteConstants grid = oscillator.on_grid(dt, mu);
       const double w0 = std::sqrt(oscillator.w0_squared());
       const Overlap start{0.0, w0};  // amplitudes of order 1
       double x = oscillator.after(dt, start, 0.0).x, v = x / dt;

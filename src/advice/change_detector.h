@@ -9,7 +9,7 @@
 namespace cohesion::advice {
 
 /// What the contacts of a run are judged by.
-struct Circumstances {
+struct RunConditions {
   std::vector<LightestParticle> lightest;  ///< by type, counted from 1
   RunNumbers run;
   bool within_run;  ///< after its set-up
@@ -17,7 +17,7 @@ struct Circumstances {
 
 /// By which particles, step and speed contacts were last judged: within a run they are judged again
 /// where these have become worse. What is better is left to the next set-up of a run.
-class Watch {
+class ChangeDetector {
  public:
   /// By how much the fastest particle must have become faster.
   static constexpr double faster = 2.0;

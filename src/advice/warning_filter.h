@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "advice/change_detector.h"
 #include "advice/contact_report.h"
-#include "advice/watch.h"
 
 namespace cohesion::advice {
 
 /// The advice that a style has given of its contacts, so that it repeats none of it. Why a run must
 /// not go on is never left out.
-class GivenAdvice {
+class WarningFilter {
  public:
   /// By how much speeds must have grown for the table to be printed again. Where the speed
   /// decides, a warning that was not given before brings the table at any speed.
@@ -33,7 +33,7 @@ class GivenAdvice {
   /// their own, the table comes with contacts alone that there were none of, and a warning once of
   /// each contact and subject.
   Report only_new(Report report, const std::vector<AdvisedContact>& contacts,
-                  const Circumstances& now) {
+                  const RunConditions& now) {
     const std::set<std::string> changed = changed_since(contacts, now);
     report.warnings = fresh(report.warnings, changed);
     if (changed.empty() && (now.within_run || report.warnings.empty())) {
@@ -57,7 +57,7 @@ class GivenAdvice {
 
   /// The contacts that the table is printed for, by what the last one had of them.
   std::set<std::string> changed_since(const std::vector<AdvisedContact>& contacts,
-                                      const Circumstances& now) const {
+                                      const RunConditions& now) const {
     std::set<std::string> changed;
     for (const AdvisedContact& c : contacts) {
       if (!c.moves()) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_FIX_OTHERS_H
-#define COHESION_FIX_OTHERS_H
+#ifndef COHESION_FIX_ACCELERATIONS_H
+#define COHESION_FIX_ACCELERATIONS_H
 
 #include <string>
 
@@ -15,12 +15,12 @@ namespace Cohesion {
 /// How the forces of the step before accelerated each particle, ghosts included: what contacts of
 /// the scheme exact know of the others of their particles. Impulses that were over within it are
 /// left out. Hidden (hidden_fix.h).
-class FixOthers : public LAMMPS_NS::Fix {
+class FixAccelerations : public LAMMPS_NS::Fix {
  public:
   static constexpr const char* STYLE = "cohesion_others";
 
-  FixOthers(LAMMPS_NS::LAMMPS* engine, int count, char** words);
-  ~FixOthers() override;
+  FixAccelerations(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  ~FixAccelerations() override;
 
   int setmask() override;
   void init() override;

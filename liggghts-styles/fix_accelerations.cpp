@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_others.h"
+#include "fix_accelerations.h"
 
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
@@ -26,7 +26,8 @@ static constexpr double LAYOUT = -4.0;
 
 static double squared(const double* a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
-FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {
+FixAccelerations::FixAccelerations(LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words) {
   comm_forward = 3;
   restart_global = 1;
   create_attribute = 1;  // of particles that are inserted
@@ -35,15 +36,15 @@ FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, coun
   atom->add_callback(engine_api::GROW);
 }
 
-FixOthers::~FixOthers() {
+FixAccelerations::~FixAccelerations() {
   atom->delete_callback(id, engine_api::GROW);
   memory->destroy(acceleration_);
   memory->destroy(excluded_);
 }
 
-int FixOthers::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE; }
+int FixAccelerations::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE; }
 
-void FixOthers::init() {
+void FixAccelerations::init() {
   const std::string bodies = rigid_bodies(*modify);
   if (!bodies.empty())
     error->all(FLERR, ("cohesion, scheme exact: resolves spheres that move each by itself, and " +
@@ -51,7 +52,7 @@ void FixOthers::init() {
                           .c_str());
 }
 
-std::string FixOthers::rigid_bodies(const Modify& modify) {
+std::string FixAccelerations::rigid_bodies(const Modify& modify) {
   for (int k = 0; k < modify.nfix; k++)
     for (const char* const bodies : {"multisphere", "rigid"})
       if (std::strncmp(modify.fix[k]->style, bodies, std::strlen(bodies)) == 0)
@@ -60,7 +61,7 @@ std::string FixOthers::rigid_bodies(const Modify& modify) {
 }
 
 /// Forces of a run that is set up are those of before or act on where all is.
-void FixOthers::setup_pre_force(int) {
+void FixAccelerations::setup_pre_force(int) {
   const int all = atom->nlocal + atom->nghost;
   for (int i = 0; i < all; i++) set_arrays(i);
   largest_squared_ = 0.0;
@@ -69,7 +70,7 @@ void FixOthers::setup_pre_force(int) {
   begin_step();
 }
 
-void FixOthers::initial_integrate(int) {
+void FixAccelerations::initial_integrate(int) {
   clock_ += 1.0;
   double largest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -85,7 +86,7 @@ void FixOthers::initial_integrate(int) {
 
 /// A force f has given f dt/2, and gives f dt'/2 now. That of an impulse becomes f dt/dt'. Fixes
 /// that hold particles have set forces on them to 0.
-void FixOthers::reset_dt() {
+void FixAccelerations::reset_dt() {
   const double ratio = forces_step_ / update->dt, more = ratio - excluded_scale_;
   excluded_scale_ = ratio;
   if (!any_excluded_) return;
@@ -94,13 +95,13 @@ void FixOthers::reset_dt() {
       if (atom->f[i][k] != 0.0) atom->f[i][k] += more * excluded_[i][k];
 }
 
-void FixOthers::pre_force(int) {
+void FixAccelerations::pre_force(int) {
   forces_step_ = update->dt;
   comm->forward_comm_fix(this);
   begin_step();
 }
 
-void FixOthers::begin_step() {
+void FixAccelerations::begin_step() {
   if (any_excluded_)
     for (int i = 0; i < atom->nlocal; i++) std::fill_n(excluded_[i], 3, 0.0);
   any_excluded_ = false;
@@ -109,47 +110,47 @@ void FixOthers::begin_step() {
   largest_ = (1.0 + 1e-12) * std::sqrt(largest_squared_);
 }
 
-void FixOthers::grow_arrays(int most) {
+void FixAccelerations::grow_arrays(int most) {
   memory->grow(acceleration_, most, 3, "others:acceleration");
   memory->grow(excluded_, most, 3, "others:excluded");
 }
 
-void FixOthers::copy_arrays(int i, int j, int) {
+void FixAccelerations::copy_arrays(int i, int j, int) {
   std::copy_n(acceleration_[i], 3, acceleration_[j]);
   std::copy_n(excluded_[i], 3, excluded_[j]);
 }
 
-void FixOthers::set_arrays(int i) {
+void FixAccelerations::set_arrays(int i) {
   std::fill_n(acceleration_[i], 3, 0.0);
   std::fill_n(excluded_[i], 3, 0.0);
 }
 
 /// What was excluded is in the acceleration by then.
-int FixOthers::pack_exchange(int i, double* buffer) {
+int FixAccelerations::pack_exchange(int i, double* buffer) {
   std::copy_n(acceleration_[i], 3, buffer);
   return 3;
 }
 
-int FixOthers::unpack_exchange(int i, double* buffer) {
+int FixAccelerations::unpack_exchange(int i, double* buffer) {
   set_arrays(i);
   std::copy_n(buffer, 3, acceleration_[i]);
   largest_squared_ = std::max(largest_squared_, squared(buffer));
   return 3;
 }
 
-int FixOthers::pack_comm(int count, int* list, double* buffer, int, int*) {
+int FixAccelerations::pack_comm(int count, int* list, double* buffer, int, int*) {
   for (int k = 0; k < count; k++) std::copy_n(acceleration_[0] + 3 * list[k], 3, buffer + 3 * k);
   return comm_forward;
 }
 
-void FixOthers::unpack_comm(int count, int first, double* buffer) {
+void FixAccelerations::unpack_comm(int count, int first, double* buffer) {
   std::copy_n(buffer, 3 * count, acceleration_[0] + 3 * first);
   double largest = largest_squared_;
   for (int k = 0; k < count; k++) largest = std::max(largest, squared(buffer + 3 * k));
   largest_squared_ = largest;
 }
 
-void FixOthers::write_restart(FILE* file) {
+void FixAccelerations::write_restart(FILE* file) {
   if (comm->me != 0) return;
   const double values[] = {LAYOUT, forces_step_, clock_};
   const int size = sizeof(values);
@@ -157,7 +158,7 @@ void FixOthers::write_restart(FILE* file) {
   fwrite(values, size, 1, file);
 }
 
-void FixOthers::restart(char* buffer) {
+void FixAccelerations::restart(char* buffer) {
   double layout = 0.0;
   std::memcpy(&layout, buffer, sizeof(double));
   if (layout != LAYOUT)
@@ -168,7 +169,7 @@ void FixOthers::restart(char* buffer) {
   std::memcpy(&clock_, buffer + 2 * sizeof(double), sizeof(double));
 }
 
-double FixOthers::memory_usage() { return 6.0 * sizeof(double) * atom->nmax; }
+double FixAccelerations::memory_usage() { return 6.0 * sizeof(double) * atom->nmax; }
 
 }  // namespace Cohesion
 }  // namespace LIGGGHTS

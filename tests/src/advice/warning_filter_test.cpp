@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "advice/given_advice.h"
+#include "advice/warning_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class GivenAdviceTest : public ::testing::Test {
  protected:
   Report news(const std::vector<AdvisedContact>& contacts, double dt, double speed,
               bool within_run = false) {
-    const Circumstances now{{}, {speed, 0.0, dt}, within_run};
+    const RunConditions now{{}, {speed, 0.0, dt}, within_run};
     return given.only_new(report("a style", sampled_scheme, contacts, now.run), contacts, now);
   }
   void expect_nothing(const Report& r) {
@@ -32,7 +32,7 @@ class GivenAdviceTest : public ::testing::Test {
     EXPECT_TRUE(r.warnings.empty());
   }
 
-  GivenAdvice given;
+  WarningFilter given;
 };
 
 }  // namespace
@@ -122,9 +122,9 @@ TEST_F(GivenAdviceTest, ASpringOfAPowerIsTheSameAtEveryOverlap) {
   EXPECT_NE(news({hertz}, DT, 0.1).table, "");
 }
 
-TEST(Watch, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
+TEST(ChangeDetector, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  Watch watch;
+  ChangeDetector watch;
   const std::vector<LightestParticle> usual{{none, none}, {1.0, 1.0}, {none, none}};
   EXPECT_TRUE(watch.worse(usual, {0.0, 0.0, 1.0}));
   watch.judged(usual, {1.0, 0.0, 1.0});
@@ -140,8 +140,8 @@ TEST(Watch, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
   EXPECT_TRUE(watch.worse({{none, none}, {1.0, 1.0}, {5.0, none}}, {1.0, 0.0, 1.0}));
 }
 
-TEST(Watch, SeesThatParticlesHaveMoreNeighbours) {
-  Watch watch;
+TEST(ChangeDetector, SeesThatParticlesHaveMoreNeighbours) {
+  ChangeDetector watch;
   const auto run = [](Crowd crowd) { return RunNumbers{1.0, 0.0, 1.0, 0.0, crowd}; };
   watch.judged({}, run(Crowd::separate));
   EXPECT_FALSE(watch.worse({}, run(Crowd::pair)));
@@ -149,8 +149,8 @@ TEST(Watch, SeesThatParticlesHaveMoreNeighbours) {
   EXPECT_TRUE(watch.worse({}, run(Crowd::several)));
 }
 
-TEST(Watch, LooksWhereListStepOrParticlesMayBeOthers) {
-  Watch watch;
+TEST(ChangeDetector, LooksWhereListStepOrParticlesMayBeOthers) {
+  ChangeDetector watch;
   watch.set_up({10});
   watch.judged({}, {0.0, 0.0, 1.0});
   EXPECT_FALSE(watch.may_differ(false, 5, 1.0));

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explicitGrowth.H"
+
+#include "drag/exchange_error.h"
+
+using namespace cohesion;
+
+Foam::explicitGrowth::explicitGrowth(const bool free)
+    : stepCriterion(free, drag::held_growth_limit) {}
+
+void Foam::explicitGrowth::add(const scalar step, const scalar loading) {
+  worst_ = max(worst_, drag::held_growth(step, loading));
+}
+
+void Foam::explicitGrowth::warn(const scalar largest, const scalar) {
+  WarningOnceInFunction(warning_)
+      << "with response free the gas is solved with particles that give way to it; between "
+         "particles"
+      << " that are held, as in a packing, its velocity would grow by a factor of " << largest
+      << " in a step. Where they touch each other use 'response held;' in"
+      << " constant/couplingProperties, or a smaller deltaT; this is said once" << endl;
+}
