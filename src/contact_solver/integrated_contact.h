@@ -225,9 +225,11 @@ class IntegratedContact {
       const double a0 =
           std::abs((adhesion_ - before.force - before.damping * v0) * inverse_mass_ - load);
       // Also of a contact at rest under no force, where both speed and acceleration are 0.
-      const auto leg_of = [&](double damping, double square, double acceleration) {
-        const double divisor = acceleration * acceleration + 0.25 * stiffness * square;
-        return divisor > 0.0 ? damping * square * std::sqrt(square) * acceleration / divisor : 0.0;
+      const auto leg_of = [&](double damping, double speed_squared, double acceleration) {
+        const double divisor = acceleration * acceleration + 0.25 * stiffness * speed_squared;
+        return divisor > 0.0
+                   ? damping * speed_squared * std::sqrt(speed_squared) * acceleration / divisor
+                   : 0.0;
       };
       here.dissipated = (leg_of(before.damping, s0, a0) + leg_of(here.at.damping, s1, a1)) / 3.0;
       const double most = step_ * std::max(before.damping, here.at.damping) * std::max(s0, s1);
