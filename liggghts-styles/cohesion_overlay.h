@@ -85,6 +85,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (!Attraction::HAS_SAMPLED && scheme_ == Cohesion::SchemeChoice::sampled)
       error->all(FLERR,
                  (name() + " has no scheme sampled: use 'scheme exact', its default").c_str());
+    if (scheme_ == Cohesion::SchemeChoice::none && !wall_)
+      Cohesion::tell_of_restart_files(lmp, name());
     if (scheme_ != Cohesion::SchemeChoice::sampled)
       events_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
   }
@@ -207,7 +209,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// Why scheme exact is impossible; empty: it is possible.
   std::string obstacle_to_exact(int types) const {
     return events_ ? events_->obstacle(*normal_, types)
-                   : "a restart file stores no keywords of contact models: repeat pair_style gran "
+                   : "a restart file stores no keywords of contact models; repeat pair_style gran "
                      "and fix wall/gran behind read_restart";
   }
 

@@ -86,11 +86,9 @@ std::string ExactContacts::obstacle(const NormalModelProbe& normal, int types) c
   const std::string bodies = FixAccelerations::rigid_bodies(*lmp_->modify);
   if (!bodies.empty())
     return bodies + " moves bodies of several spheres, and it resolves spheres that move each by " +
-           "itself: use 'scheme sampled'";
+           "itself";
   const auto of_model = [&](const std::string& why) {
-    return "model " + normal.name() + " " + why +
-           ": use 'scheme sampled', or the defaults of model hooke, hooke/stiffness, hertz or "
-           "hertz/stiffness";
+    return "model " + normal.name() + " " + why;
   };
   if (normal.exponent() != 1.0 && normal.exponent() != 1.5)
     return of_model("has a spring that is neither linear nor Hertz's");
@@ -130,7 +128,13 @@ void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
     if (frictional_) k.law->leave_out_exchange();
     if (!cohesion::contact::is_linear(normal)) {
       k.stiffening = normal;
-      k.wider_than_hertz = !std::holds_alternative<cohesion::contact::HertzSpringDashpot>(normal);
+      using cohesion::contact::HertzSpringDashpot;
+      if (!std::holds_alternative<HertzSpringDashpot>(normal)) {
+        const auto springs = normal_->springs(pair);
+        const double of_hertz = HertzSpringDashpot::radius_stiffness_of(springs.stiffness);
+        k.friction = {springs.tangential_stiffness / of_hertz,
+                      springs.tangential_damping * springs.tangential_damping / of_hertz};
+      }
       return;
     }
     const auto springs = normal_->springs(pair);

@@ -97,6 +97,9 @@ class ExactContacts {
   // which all this was written, and 1.
   enum { REPULSION = ContactState::size, STEP, SIZE };
 
+  struct FrictionOfRadius {
+    double stiffness, damping_squared;
+  };
   /// The bodies of a contact, and its law.
   struct KnownContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
@@ -104,8 +107,9 @@ class ExactContacts {
     cohesion::contact_solver::DiscreteConstants tangential{};  ///< beside a linear spring
     /// Of a tangential spring that stiffens with the overlap; none: it does not.
     std::optional<cohesion::contact::NormalLaw> stiffening;
-    /// Whether the radius of contact is not Hertz's, from which the engine derives its K_t.
-    bool wider_than_hertz = false;
+    /// Of a radius of contact that is not Hertz's, of which the engine's friction is: K_t, and
+    /// eta_t squared, over LawPoint::radius_stiffness.
+    std::optional<FrictionOfRadius> friction;
   };
 
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
@@ -231,11 +235,9 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
   };
   double here = step.at.radius_stiffness;
   if (k.stiffening && here == 0.0) here = radius_stiffness(contact.deltan);
-  if (k.wider_than_hertz) {
-    const double wider =
-        here / cohesion::contact::HertzSpringDashpot::radius_stiffness_of(contact.kn);
-    contact.kt *= wider;
-    contact.gammat *= std::sqrt(wider);
+  if (k.friction) {
+    contact.kt = k.friction->stiffness * here;
+    contact.gammat = std::sqrt(k.friction->damping_squared * here);
   }
   if (!spring || !contact.shearupdate) return;
   if (k.stiffening) {

@@ -9,9 +9,11 @@
 #include <string>
 #include <variant>
 
+#include "advice/known_materials.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
 #include "global_properties.h"
+#include "plausible_sizes.h"
 #include "property_registry.h"
 #include "sphere.h"
 
@@ -32,6 +34,13 @@ double reduced_radius(double ri, double rj) {
   return std::isfinite(rj) ? cohesion::reduced_radius(ri, rj) : ri;
 }
 
+/// Hertz's contact where nothing adheres.
+cohesion::contact::NormalLaw jkr_law(const cohesion::contact::HertzSpringDashpot& hertz,
+                                     double radius, double work) {
+  if (work == 0.0) return hertz;
+  return cohesion::contact::JkrSpringDashpot(hertz, radius, work);
+}
+
 }  // namespace
 
 void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& normal) {
@@ -46,15 +55,16 @@ void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& 
   longest_neck_ = 0.0;
   works_of_adhesion_.fill(
       lmp_, MODEL, registry.max_type(),
-      [&](int i, int j) { return cohesion::contact::work_of_adhesion(energy[i][j]); },
+      [&](int i, int j) {
+        const double work = cohesion::contact::work_of_adhesion(energy[i][j]);
+        const auto hertz = std::get<cohesion::contact::HertzSpringDashpot>(
+            normal.law({i, j, largest, largest, 1.0, 0.0, is_wall_}));
+        const double partner = is_wall_ ? std::numeric_limits<double>::infinity() : largest;
+        const auto law = jkr_law(hertz, reduced_radius(largest, partner), work);
+        longest_neck_ = std::max(longest_neck_, -cohesion::contact::lowest_overlap(law));
+        return work;
+      },
       [&](int i, int j) { return shown(energy_property, energy[i][j]); });
-  for (int i = 1; i <= registry.max_type(); i++)
-    for (int j = 1; j <= registry.max_type(); j++) {
-      const double partner = is_wall_ ? std::numeric_limits<double>::infinity() : largest;
-      const auto hertz = normal.law({i, j, largest, largest, 1.0, 0.0, is_wall_});
-      const auto law = contact_law(hertz, i, j, largest, partner);
-      longest_neck_ = std::max(longest_neck_, -cohesion::contact::lowest_overlap(law));
-    }
 }
 
 ContactRange JkrAttraction::range() const {
@@ -73,13 +83,17 @@ cohesion::contact::Adhesion JkrAttraction::adhesion(int itype, int jtype, double
   return pull;
 }
 
+std::string JkrAttraction::doubt(int itype, int jtype) const {
+  return cohesion::advice::above_surface_energies(
+      cohesion::contact::surface_energy(works_of_adhesion_.of(itype, jtype)),
+      LAMMPS_NS::si_units(lmp_));
+}
+
 cohesion::contact::NormalLaw JkrAttraction::contact_law(const cohesion::contact::NormalLaw& hertz,
                                                         int itype, int jtype, double ri,
                                                         double rj) const {
-  const double work = works_of_adhesion_.of(itype, jtype);
-  if (work == 0.0) return hertz;
-  return cohesion::contact::JkrSpringDashpot(std::get<cohesion::contact::HertzSpringDashpot>(hertz),
-                                             reduced_radius(ri, rj), work);
+  return jkr_law(std::get<cohesion::contact::HertzSpringDashpot>(hertz), reduced_radius(ri, rj),
+                 works_of_adhesion_.of(itype, jtype));
 }
 
 }  // namespace Cohesion

@@ -2,6 +2,8 @@
 #ifndef COHESION_JKR_ATTRACTION_H
 #define COHESION_JKR_ATTRACTION_H
 
+#include <string>
+
 #include "cohesion_defaults.h"
 #include "contact/adhesion.h"
 #include "contact_range.h"
@@ -40,6 +42,8 @@ class JkrAttraction : public CohesionDefaults {
   /// JKR's contact, of Hertz's; rj infinite: beside a wall.
   cohesion::contact::NormalLaw contact_law(const cohesion::contact::NormalLaw& hertz, int itype,
                                            int jtype, double ri, double rj) const;
+
+  std::string doubt(int itype, int jtype) const;
 
   // Scheme sampled does not exist.
   static constexpr bool is_out_of_reach(const ContactModels::SurfacesCloseData&, bool) {

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "former_words.h"
 #include "liggghts_api.h"
+#include "modify.h"
 #include "named_table.h"
 #include "settings.h"
 
@@ -125,9 +126,20 @@ SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
     return SchemeChoice::exact;
   }
   if (specified == SchemeChoice::exact || !has_sampled)
-    lmp->error->all(FLERR, (model + ", scheme exact: " + obstacle).c_str());
+    lmp->error->all(FLERR, (model + ", scheme exact: " + obstacle +
+                            (has_sampled ? ": use 'scheme sampled', or leave that out"
+                                         : ": leave that out; the model has no other scheme"))
+                               .c_str());
   print("scheme sampled by default: " + obstacle);
   return SchemeChoice::sampled;
+}
+
+void tell_of_restart_files(LAMMPS_NS::LAMMPS* lmp, const std::string& model) {
+  if (lmp->modify->nfix_restart_peratom > 0)
+    LAMMPS_NS::engine_api::tell(lmp, model +
+                                         ": without 'scheme' the contacts of a restart file are "
+                                         "those of scheme exact; use 'scheme sampled' if that "
+                                         "wrote the file\n");
 }
 
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {

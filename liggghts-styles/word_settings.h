@@ -32,6 +32,10 @@ SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
                        const LAMMPS_NS::FixWallGran* wall, SchemeChoice specified,
                        const std::string& obstacle, bool has_sampled);
 
+/// Prints, where a restart file has been read, which scheme its contacts need: those of another
+/// stop the engine with a message about the contact history.
+void tell_of_restart_files(LAMMPS_NS::LAMMPS* lmp, const std::string& model);
+
 /// Adds the keyword `material_keep`, whose value goes to `keep`. `settings` must not outlive it.
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep);
 

@@ -26,7 +26,8 @@ inline int moved_or_held_groups(const Modify* modify) {
   for (int k = 0; k < modify->nfix; k++) {
     const Fix* const fix = modify->fix[k];
     if (std::strcmp(fix->style, "deform") == 0) return ~0;
-    if (fix->time_integrate || fix->rigid_flag) groups |= fix->groupbit;
+    if (fix->time_integrate || fix->rigid_flag || std::strcmp(fix->style, "multisphere") == 0)
+      groups |= fix->groupbit;
     for (const char* const style : holding)
       if (std::strcmp(fix->style, style) == 0) groups |= fix->groupbit;
   }

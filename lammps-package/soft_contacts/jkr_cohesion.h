@@ -55,6 +55,10 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
   static const char* material_words(const cohesion::contact::ContactParameters& contact) {
     return LAMMPS_NS::material_words(contact);
   }
+  static std::string doubt(const LAMMPS* lmp, const Parameters& p) {
+    return cohesion::advice::above_surface_energies(
+        cohesion::contact::surface_energy(p.contact.work_of_adhesion), si_units(lmp));
+  }
   /// With the work of adhesion scaled to the modulus; what was done is printed.
   Parameters scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
     namespace advice = cohesion::advice;

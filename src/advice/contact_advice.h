@@ -189,16 +189,21 @@ inline Finding rounding(const ContactNumbers& n, const SchemeLimits& limits) {
                           n.parameters().dt * error / allowed, " and soften the spring")};
 }
 
-/// The overlap falls as stiffness^(-1/power).
-inline Finding overlap(Subject subject, const char* name, double over_diameter, double stiffness,
-                       double power) {
+/// The overlap falls as stiffness^(-1/power) of a linear spring, and as E*^(-1/(power + 1/2)) of
+/// Hertz's contact.
+inline Finding overlap(Subject subject, const char* name, double over_diameter,
+                       const PairParameters& pair, double power) {
   std::string sentence = text(name, " is ", 100.0 * over_diameter, " % of the diameter");
   if (over_diameter <= overlap_for_warning) return {subject, Severity::ok, sentence};
   const bool fatal = over_diameter >= overlap_for_error;
   if (fatal) sentence += ", so far that particles pass through walls";
-  return {subject, fatal ? Severity::error : Severity::warning,
-          sentence + text(": for ", 100.0 * overlap_for_warning, " % raise the stiffness to about ",
-                          stiffness * std::pow(over_diameter / overlap_for_warning, power))};
+  const double excess = over_diameter / overlap_for_warning;
+  const std::string aim = text(": for ", 100.0 * overlap_for_warning, " % ");
+  const std::string cure = pair.is_linear ? text("raise the stiffness to about ",
+                                                 pair.stiffness * std::pow(excess, power))
+                                          : text("raise Young's modulus to up to ",
+                                                 std::pow(excess, power + 0.5), " times its value");
+  return {subject, fatal ? Severity::error : Severity::warning, sentence + aim + cure};
 }
 
 }  // namespace detail
@@ -218,10 +223,10 @@ inline std::vector<Finding> advise(const ContactNumbers& n, const SchemeLimits& 
   findings.push_back(detail::rounding(n, limits));
   if (attracts)
     findings.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
-                                       n.static_overlap_over_diameter(), p.stiffness, 1.0));
+                                       n.static_overlap_over_diameter(), p, 1.0));
   // Of a fast impact, whose overlap goes as 1/w0; adhesion makes it fall faster.
   findings.push_back(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
-                                     n.impact_overlap_over_diameter(), p.stiffness, 2.0));
+                                     n.impact_overlap_over_diameter(), p, 2.0));
   return findings;
 }
 

@@ -32,6 +32,29 @@ inline std::string above_hamaker_constants(double constant, const SiUnits* units
   return text.str();
 }
 
+/// Of the energy of a surface, [J/m^2]: clean metals have up to 4, diamond 6.
+///
+/// Source: J. N. Israelachvili, Intermolecular and Surface Forces, 3rd ed., section 17.
+inline constexpr double largest_surface_energy = 6.0;
+
+/// What to say of an energy of a surface [energy/length^2] that is above that of any material;
+/// empty: nothing.
+inline std::string above_surface_energies(double energy, const SiUnits* units) {
+  if (!units) return "";
+  const double si = energy * units->energy() / (units->length * units->length);
+  if (si <= (1.0 + 1e-9) * largest_surface_energy) return "";
+  std::ostringstream text;
+  text.precision(4);
+  text << "the surface energy gamma = " << energy;
+  if (units->name == "si")
+    text << " J/m2";
+  else
+    text << " of 'units " << units->name << "' is " << si << " J/m2 and";
+  text << " is above that of any material (up to " << largest_surface_energy
+       << " J/m2): check its value and its unit; ";
+  return text.str();
+}
+
 /// Of the density of a particle, [kg/m^3]: far below an aerogel's, far above that of any element.
 /// Masses that are scaled for a longer time step are beyond.
 inline constexpr double least_density = 0.1, largest_density = 1e5;

@@ -151,6 +151,17 @@ class StiffnessScaling {
   double factor_;
 };
 
+/// Throws InvalidParameter where the contact is stiffer than the material that it stands for: a
+/// number in another unit, most often.
+inline void require_softer(const Material& material, double stiffness) {
+  if (!material.is_given() || stiffness <= (1.0 + 1e-9) * material.stiffness) return;
+  std::ostringstream text;
+  text << "the " << (material.exponent == linear_power ? "stiffness" : "modulus E*")
+       << " of the contact is " << stiffness << " and that of its material " << material.stiffness
+       << ": a contact must not be stiffer than its material; check the units";
+  throw InvalidParameter(text.str());
+}
+
 /// Whether a contact of `stiffness`, as stiffness_of(), needs another adhesion than its material.
 inline bool is_scaled(const Material& material, double stiffness) {
   return material.is_given() && material.keep == Keep::escape_velocity &&
@@ -158,15 +169,17 @@ inline bool is_scaled(const Material& material, double stiffness) {
 }
 
 /// The Hamaker attraction of a contact of `stiffness` from that of its material.
-/// Throws InvalidParameter as StiffnessScaling.
+/// Throws InvalidParameter as StiffnessScaling and require_softer.
 inline hamaker::Parameters for_stiffness(double stiffness, const Material& material,
                                          const hamaker::Parameters& real) {
+  require_softer(material, stiffness);
   if (real.hamaker_constant == 0.0 || !is_scaled(material, stiffness)) return real;
   return StiffnessScaling(material, stiffness).hamaker(real);
 }
 
 /// The same of w of JKR's contact.
 inline double for_stiffness(double stiffness, const Material& material, double work_of_adhesion) {
+  require_softer(material, stiffness);
   if (!is_scaled(material, stiffness)) return work_of_adhesion;
   return StiffnessScaling(material, stiffness).work_of_adhesion(work_of_adhesion);
 }

@@ -18,6 +18,9 @@ inline double work_of_adhesion(double surface_energy) {
   return 2.0 * surface_energy;
 }
 
+/// The energy of each of two surfaces of this work of adhesion, [energy/length^2].
+inline double surface_energy(double work_of_adhesion) { return 0.5 * work_of_adhesion; }
+
 /// The contact of Johnson, Kendall and Roberts with a dashpot, acting on the reduced mass mu of a
 /// pair. With the work of adhesion w, the radius a of contact and the overlap x:
 ///

@@ -59,7 +59,7 @@ class ExactContact {
 
   /// Whether a pair that stands at this distance [length] is in range, where nothing is known of
   /// how it came there.
-  bool is_in_range(double distance) const { return distance < solver_.entry_distance(); }
+  bool is_in_range(double distance) const { return distance <= solver_.entry_distance(); }
 
   /// Whether a pair out of range may come into it in this step. `flown` [length]: what a pair can
   /// fly in it more than its velocity says.

@@ -20,10 +20,10 @@ struct StaggeredMotion {
 
   /// Mean rate of the distance in the last step, of length `step` [time]; the normal turned in it.
   double mean_rate(double step) const { return rate - 0.5 * step * sideways * sideways / distance; }
-  /// Whether a pair without a stored state stands nearer than `edge` [length] without having moved
+  /// Whether a pair without a stored state stands at `edge` [length] or nearer without having moved
   /// there in the last step, of length `step` [time].
   bool stands_within(double edge, double step) const {
-    return distance < edge && std::hypot(distance - step * rate, step * sideways) < edge;
+    return distance <= edge && std::hypot(distance - step * rate, step * sideways) <= edge;
   }
 };
 

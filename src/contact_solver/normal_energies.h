@@ -34,7 +34,7 @@ template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
                        StoredEnergies& stored) {
   const bool stands =
-      step.before.phase == ContactState::unknown && step.at.distance < solver.entry_distance();
+      step.before.phase == ContactState::unknown && step.at.distance <= solver.entry_distance();
   if (step.before.in_range() || stands) {
     stored.spring = solver.spring_energy(contact_distance - step.at.distance);
     stored.adhesion = solver.adhesion_energy(contact_distance - step.at.distance);

@@ -131,7 +131,8 @@ class Words(ScriptTestCase):
                 ("stiffness 800 material_modulus 5e9 0.25", "", "with 'stiffness' give 'material_stiffness K_m'"),
                 ("normal hertz 5e6 0.2 material_keep force", "", "'material_keep' needs 'material_modulus E_m nu_m'"),
                 ("normal hertz 5e6 0.2 material_modulus 5e9", "", "takes 2 value(s)"),
-                (f"{self.CONTACT} asperity 1e-7{self.MATERIAL}", "", "without asperities")):
+                (f"{self.CONTACT} asperity 1e-7{self.MATERIAL}", "", "without asperities"),
+                (f"{self.CONTACT} material_modulus 60 0.25", "", "a contact must not be stiffer than its material")):
             with self.subTest(words=words):
                 self.stops(f"{HEAD}pair_style gran/hamaker {settings}\npair_coeff * * {words}{MOVE}", message)
 

@@ -354,7 +354,19 @@ class Default(unittest.TestCase):
             "fix move all nve/sphere\ntimestep 1e-6\nrun 1\n")
         run = Run(text.replace(" scheme sampled", "") + "clear\n" + again)
         self.assertEqual(run.code, 0, run.output[-3000:])
-        self.assertIn("scheme sampled by default: a restart file stores no keywords of contact models", run.output)
+        self.assertIn("scheme sampled by default: a restart file stores no keywords of contact models; repeat", run.output)
+
+
+    def test_a_restart_file_of_scheme_sampled_needs_the_keyword(self):
+        text = script([sphere((0, 0, 0)), sphere((9.99e-4, 0, 0))], models("history"), hamaker(1e-19, cut=CUT, out=OUT),
+                      dt=1e-7, run="run 10\nwrite_restart at.restart\n")
+        again = (text[:text.index("region")] + "read_restart at.restart\n" + hamaker(1e-19, cut=CUT, out=OUT) + contact()
+                 + f"pair_style gran {models('history')}\npair_coeff * *\nfix move all nve/sphere\ntimestep 1e-7\nrun 1\n")
+        run = Run(text + "clear\n" + again)
+        self.assertNotEqual(run.code, 0, run.output[-3000:])
+        self.assertIn("use 'scheme sampled' if that wrote the file", run.output)
+        run = Run(text + "clear\n" + again.replace(models("history"), models("history") + " scheme sampled"))
+        self.assertEqual(run.code, 0, run.output[-3000:])
 
 
 class Input(unittest.TestCase):

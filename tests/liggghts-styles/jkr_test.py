@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from cohesion_tests.liggghts import Run, assert_refused
 from cohesion_tests.liggghts_scenes import pull_off
-from cohesion_tests.liggghts_scenes.impacts import DIAMETER, WALLS, left_after_sticking, limits
+from cohesion_tests.liggghts_scenes.impacts import DIAMETER, WALLS, contacts, left_after_sticking, limits
 from cohesion_tests.liggghts_scenes.scene import frames, part, script, sphere, surface_energy
 from cohesion_tests.theory.hertz_contact import HertzPair
 from cohesion_tests.theory.jkr_contact import JkrPair
@@ -61,6 +61,19 @@ class Jkr(unittest.TestCase):
         report(f"radius of contact {found:.6g}, JKR's {wide:.6g}, Hertz's {math.sqrt(DIAMETER / 4 * overlap):.6g} m")
         self.assertAlmostEqual(found, wide, delta=1e-3 * wide)
 
+    def test_a_grain_that_touches_exactly_makes_contact(self):
+        # Without weight it is pressed in until its force is 0, and comes to rest there: e^(pi 60/20) of the swing are gone
+        # after 60 contact times, of the dashpot and of the pressed neck.
+        pair = JkrPair(5e6, GAMMA, 0.5, DIAMETER, poisson=0.3, plane=True)
+        at_rest = pair.overlap(brentq(pair.force, 1.01 * pair.smallest, 100 * pair.smallest))
+        dt = pair.contact_time(pair.sticking_speed()) / 20
+        for tangential in ("off", "history"):
+            models = f"model hertz tangential {tangential} cohesion jkr"
+            text = script([sphere((0, 0, DIAMETER / 2))], models, surface_energy(GAMMA), dt=dt, steps=1200, every=1200,
+                          contacts=contacts(0.5), walls=[f"fix floor all wall/gran {models} primitive type 1 zplane 0.0"])
+            end = Run(text).frames("out.txt")[-1]
+            self.assertAlmostEqual(DIAMETER / 2 - end[1][2], at_rest, delta=1e-3 * at_rest)
+
     def test_sticking_gives_no_energy(self):
         time = HertzPair(5e6, 1 - 1e-12, DIAMETER, poisson=0.3).contact_time(0.1)
         for degrees in (20, 45, 70, 85):
@@ -76,7 +89,8 @@ class Jkr(unittest.TestCase):
                 ("model hertz/stiffness tangential off cohesion jkr", GAMMA, "needs 'model hertz'"),
                 (MODELS + " scheme sampled", GAMMA, "has no scheme sampled"),
                 (MODELS + " limitForce on", GAMMA, "limitForce"),
-                (MODELS, -1.0, "surface energy gamma")):
+                (MODELS, -1.0, "surface energy gamma"),
+                (MODELS, 1e3, "gamma = 1000 J/m2 is above that of any material")):
             with self.subTest(models=models, energy=energy):
                 assert_refused(self, Run(script(two, models, surface_energy(energy), dt=1e-8)), message)
 
