@@ -82,8 +82,9 @@ class JkrSpringDashpot {
   /// Up to twice the pull-off force holds friction against a contact that is pulled, [force].
   double friction_load() const { return 2.0 * pull_off_force(radius_, work_of_adhesion_); }
 
-  /// At an overlap x >= lowest_overlap() [length].
-  LawPoint at(double x) const {
+  /// At an overlap x >= lowest_overlap() [length]. Inlined, so that what a caller does not need
+  /// costs nothing.
+  [[gnu::always_inline]] LawPoint at(double x) const {
     const double s = scale_ * root_of_radius(std::max(x, lowest_) * inverse_cube_);
     const double s2 = s * s, s3 = s2 * s, kR = neck_ * radius_;
     const double pull = modulus_ * neck_;
