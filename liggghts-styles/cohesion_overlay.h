@@ -88,7 +88,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (scheme_ == Cohesion::SchemeChoice::none && !wall_)
       Cohesion::tell_of_restart_files(lmp, name());
     if (scheme_ != Cohesion::SchemeChoice::sampled)
-      events_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
+      exact_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
   }
 
   void connectToProperties(PropertyRegistry& registry) override {
@@ -102,8 +102,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
     connect_tally();
     Cohesion::ContactRange range = attraction_.range();
-    if (events_) {
-      connect_events(registry);
+    if (exact_) {
+      connect_exact(registry);
       range.margin = Cohesion::EXACT_MARGIN;
     }
     Cohesion::require_range(lmp, registry, wall_, name(), range);
@@ -111,15 +111,15 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                          ForceData& on_j) override {
-    if (events_)
-      follow(contact, on_i, on_j);
+    if (exact_)
+      advance(contact, on_i, on_j);
     else if (attraction_.is_active() && (list_all_ || !attraction_.is_idle_in_contact(contact)))
       attract(contact, contact.r, contact.en, on_i, on_j);
   }
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
-    if (events_) {
-      if (!events_->is_far(near)) follow_near(near, on_i, on_j);
+    if (exact_) {
+      if (!exact_->is_far(near)) advance_near(near, on_i, on_j);
       return;
     }
     if (!attraction_.is_active() || attraction_.is_out_of_reach(near, update_all_)) return;
@@ -153,16 +153,16 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   /// A contact of scheme exact: in the place of what the engine's normal model made of it. Friction
   /// sees its spring and dashpot, as under scheme sampled.
-  [[gnu::noinline]] void follow(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
+  [[gnu::noinline]] void advance(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
     if (!carries(contact)) return;
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
     energies_ = {};
     auto* const energies = tally_ ? &energies_ : nullptr;
-    if (!events_->go_on(contact, spring, force, energies)) {
+    if (!exact_->advance_persistent(contact, spring, force, energies)) {
       cohesion::contact_solver::ContactStep step;
-      if (!events_->follow(contact, contact.r, contact.en, step, energies)) step = {};
-      events_->set_friction(contact, step, spring);
+      if (!exact_->advance(contact, contact.r, contact.en, step, energies)) step = {};
+      exact_->set_friction(contact, step, spring);
       force = step.force;
     }
     for (int d = 0; d < 3; d++) {
@@ -171,14 +171,14 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     }
   }
 
-  [[gnu::noinline]] void follow_near(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) {
+  [[gnu::noinline]] void advance_near(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) {
     const double r = std::sqrt(near.rsq);
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
     cohesion::contact_solver::ContactStep step;
     energies_ = {};
-    if (!carries(near) || !events_->follow(near, r, normal, step, tally_ ? &energies_ : nullptr))
+    if (!carries(near) || !exact_->advance(near, r, normal, step, tally_ ? &energies_ : nullptr))
       return;
     if (tally_) {
       cohesion::contact::ContactSample contact;
@@ -198,26 +198,26 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// of the pairs. What is chosen stays for later runs.
   void choose_scheme(int types) {
     using Choice = Cohesion::SchemeChoice;
-    const bool follows_pairs = scheme_ == Choice::none && wall_ && Attraction::HAS_SAMPLED;
-    if (follows_pairs && !Cohesion::pairs_are_exact(lmp)) scheme_ = Choice::sampled;
+    const bool has_scheme_of_pairs = scheme_ == Choice::none && wall_ && Attraction::HAS_SAMPLED;
+    if (has_scheme_of_pairs && !Cohesion::pairs_are_exact(lmp)) scheme_ = Choice::sampled;
     if (scheme_ != Choice::sampled)
       scheme_ = Cohesion::scheme_of(lmp, name(), wall_, scheme_, obstacle_to_exact(types),
                                     Attraction::HAS_SAMPLED);
-    if (!is_exact()) events_.reset();
+    if (!is_exact()) exact_.reset();
     advice_->set_exact(is_exact());
   }
   /// Why scheme exact is impossible; empty: it is possible.
   std::string obstacle_to_exact(int types) const {
-    return events_ ? events_->obstacle(*normal_, types)
-                   : "a restart file stores no keywords of contact models; repeat pair_style gran "
-                     "and fix wall/gran behind read_restart";
+    return exact_ ? exact_->obstacle(*normal_, types)
+                  : "a restart file stores no keywords of contact models; repeat pair_style gran "
+                    "and fix wall/gran behind read_restart";
   }
 
-  void connect_events(PropertyRegistry& registry) {
+  void connect_exact(PropertyRegistry& registry) {
     slides_ = has("tangential", "history");
     if constexpr (std::is_same_v<Attraction, Cohesion::HamakerAttraction>)
       attraction_.require_turns_as_touching();
-    events_->connect(
+    exact_->connect(
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
         [this](const auto& normal, int i, int j, double ri, double rj) {
@@ -236,8 +236,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
-    if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.is_active())
-      return events_->in_range(history);
+    if (Attraction::BINDS_WHAT_ENTERED && exact_ && attraction_.is_active())
+      return exact_->in_range(history);
     return attraction_.binds(itype, jtype, ri, rj, gap, history);
   }
 
@@ -276,7 +276,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const bool attracts = carries(contact);
     const auto sample =
         Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), other_models_);
-    if (events_ && attracts)
+    if (exact_ && attracts)
       tally_->add_exact(contact, sample, energies_);
     else
       tally_->add_sampled(contact, sample,
@@ -324,16 +324,15 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   PairGran* pair_;     // null for walls
   Attraction attraction_;
   Cohesion::SchemeChoice scheme_ = Cohesion::SchemeChoice::none;
-  bool slides_ = false;                              // over a spring
-  std::unique_ptr<Cohesion::ExactContacts> events_;  // null: scheme sampled
+  bool slides_ = false;                             // over a spring
+  std::unique_ptr<Cohesion::ExactContacts> exact_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::ModelEnergyTally> tally_;  // null: none is kept
   bool update_all_ = false;  // the memory of every contact is brought up to date in this step
   bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
   Cohesion::OtherModels other_models_;
-  cohesion::contact_solver::ContactEnergies
-      energies_{};      // of the contact of scheme exact just followed
+  cohesion::contact_solver::ContactEnergies energies_{};  // of the last contact of scheme exact
   int others_history_;  // place of what the tangential and the rolling model remember
 };
 

@@ -66,8 +66,8 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, C
   range_ = range;
   frictional_ = frictional;
   types_ = types;
-  known_.clear();
-  known_.resize((types + 1) * (types + 1));
+  cache_.clear();
+  cache_.resize((types + 1) * (types + 1));
   mobile_ = MobileParticles(lmp_);
   // A fix that is made while fixes are set up, as walls are, is called in the next run only.
   accelerations_ =
@@ -102,9 +102,9 @@ std::string ExactContacts::obstacle(const NormalModelProbe& normal, int types) c
   return "";
 }
 
-ExactContacts::KnownContact* ExactContacts::know(KnownContact& k,
-                                                 const ContactModels::SurfacesCloseData& d,
-                                                 double rj, double mass_i, double mass_j) const {
+ExactContacts::CachedContact* ExactContacts::renew(CachedContact& k,
+                                                   const ContactModels::SurfacesCloseData& d,
+                                                   double rj, double mass_i, double mass_j) const {
   if (mass_i == 0.0 && mass_j == 0.0) return nullptr;
   k = {};
   k.ri = d.radi;
@@ -115,7 +115,7 @@ ExactContacts::KnownContact* ExactContacts::know(KnownContact& k,
   return &k;
 }
 
-void ExactContacts::make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const {
+void ExactContacts::make_law(CachedContact& k, const ContactModels::SurfacesCloseData& d) const {
   const auto inverse = [](double mass) { return mass > 0.0 ? 1.0 / mass : 0.0; };
   const double reduced_mass = 1.0 / (inverse(k.mass_i) + inverse(k.mass_j));
   const double dt = lmp_->update->dt;
@@ -168,17 +168,17 @@ const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData&
   return before ? before + offset_ : nullptr;
 }
 
-void ExactContacts::set_energies(const KnownContact& k, double contact_distance,
+void ExactContacts::set_energies(const CachedContact& k, double contact_distance,
                                  const SolvedStep& step, ContactEnergies& energies) {
   set_normal_losses(*k.law, step, energies);
   set_normal_stored(*k.law, step, contact_distance, energies.stored);
 }
 
-bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
-                           const double* normal, ContactStep& step, ContactEnergies* energies) {
+bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
+                            const double* normal, ContactStep& step, ContactEnergies* energies) {
   const bool first = d.computeflag && !d.shearupdate;
-  KnownContact* const k = known_contact(d);
-  followed_ = k;
+  CachedContact* const k = cached_contact(d);
+  last_contact_ = k;
   time_apart_ = 0.0;
   if (!k) return false;
   ContactState state;
@@ -223,7 +223,7 @@ bool ExactContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
 
 /// Excludes the force of an impulse from the accelerations that other contacts of both particles
 /// see.
-void ExactContacts::exclude_impulse(const KnownContact& k,
+void ExactContacts::exclude_impulse(const CachedContact& k,
                                     const ContactModels::SurfacesCloseData& d, const double* normal,
                                     const ContactState& state) {
   if (state.force == 0.0 || !k.law->gave_impulse(state)) return;
@@ -240,7 +240,7 @@ bool ExactContacts::in_range(const double* history) const {
 
 /// A step that is computed again, as each run does with the last one, repeats its force. A run of
 /// another step begins anew, but for impulses: the half that is to come is another force then.
-bool ExactContacts::repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
+bool ExactContacts::repeat(const CachedContact& k, const ContactModels::SurfacesCloseData& d,
                            ContactStep& step, ContactState& state) const {
   double* const history = d.contact_history + offset_;
   if (history[STEP] != accelerations_->clock() + 1.0) return false;
@@ -269,8 +269,8 @@ void ExactContacts::write(const ContactModels::SurfacesCloseData& d, const Conta
 
 void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
                                  const ContactStep& step, double* spring) const {
-  if (followed_)
-    set_friction(contact, *followed_, {0.0, step.repulsion, 0.0}, time_apart_, spring);
+  if (last_contact_)
+    set_friction(contact, *last_contact_, {0.0, step.repulsion, 0.0}, time_apart_, spring);
   else
     contact.Fn = std::max(step.repulsion, 0.0);
 }

@@ -63,19 +63,19 @@ class ExactContacts {
   void connect(const NormalModelProbe& normal, Adhesion adhesion, ContactLaw law, MakeLaw maker,
                const ContactRange& range, bool frictional, int types);
 
-  /// What follow() and set_friction() do of a contact that goes on as in the step before: `force`,
-  /// on i away from j or the wall. False, and nothing done, where more may have happened.
-  /// `energies`: of the normal motion; null: nobody asks.
-  bool go_on(ContactModels::SurfacesIntersectData& contact, double* spring, double& force,
-             ContactEnergies* energies);
+  /// A step of a contact that was persistent in the last step and stays so, with its friction:
+  /// sets `force` on i, away from j or the wall. False, and nothing done, where that is not
+  /// certain. `energies`: of the normal motion; null: not needed.
+  bool advance_persistent(ContactModels::SurfacesIntersectData& contact, double* spring,
+                          double& force, ContactEnergies* energies);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing. `energies` as above.
-  bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
-              cohesion::contact_solver::ContactStep& step, ContactEnergies* energies);
+  bool advance(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
+               cohesion::contact_solver::ContactStep& step, ContactEnergies* energies);
 
-  /// Whether a pair has no memory and nothing can happen to it in this step, as most that the
-  /// engine shows: follow() would find out by looking at far more.
+  /// Whether a pair has no history and nothing can happen to it in this step, as is true of most
+  /// pairs of the engine's list. Cheaper than advance(), which returns false then.
   bool is_far(const ContactModels::SurfacesCloseData& d) const;
 
   /// Whether a contact with this history is in the range of its attraction.
@@ -101,7 +101,7 @@ class ExactContacts {
     double stiffness, damping_squared;
   };
   /// The bodies of a contact, and its law.
-  struct KnownContact {
+  struct CachedContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
     std::unique_ptr<ContactSolver> law;
     cohesion::contact_solver::DiscreteConstants tangential{};  ///< beside a linear spring
@@ -112,19 +112,19 @@ class ExactContacts {
     std::optional<FrictionOfRadius> friction;
   };
 
-  void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
+  void exclude_impulse(const CachedContact&, const ContactModels::SurfacesCloseData& d,
                        const double* normal, const ContactState&);
   /// The law of a contact; null: nothing that a force could move.
-  KnownContact* known_contact(const ContactModels::SurfacesCloseData& d) {
-    KnownContact& k = known_[d.itype * (types_ + 1) + d.jtype];
+  CachedContact* cached_contact(const ContactModels::SurfacesCloseData& d) {
+    CachedContact& k = cache_[d.itype * (types_ + 1) + d.jtype];
     const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
     const double mass_i = mass(d.i), mass_j = d.is_wall ? 0.0 : mass(d.j);
-    const bool known = k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i &&
-                       k.mass_j == mass_j && k.law->step() == lmp_->update->dt;
-    return known ? &k : know(k, d, rj, mass_i, mass_j);
+    const bool is_same = k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i &&
+                         k.mass_j == mass_j && k.law->step() == lmp_->update->dt;
+    return is_same ? &k : renew(k, d, rj, mass_i, mass_j);
   }
-  KnownContact* know(KnownContact& k, const ContactModels::SurfacesCloseData& d, double rj,
-                     double mass_i, double mass_j) const;
+  CachedContact* renew(CachedContact& k, const ContactModels::SurfacesCloseData& d, double rj,
+                       double mass_i, double mass_j) const;
   /// The mass of a particle; 0: no force moves it.
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
@@ -137,21 +137,21 @@ class ExactContacts {
     const double rate = dot(w, n);
     return {r, rate, d.is_wall ? 0.0 : norm(w - rate * n)};
   }
-  static void set_energies(const KnownContact& k, double contact_distance,
+  static void set_energies(const CachedContact& k, double contact_distance,
                            const cohesion::contact_solver::SolvedStep& step,
                            ContactEnergies& energies);
   double acceleration(const ContactModels::SurfacesCloseData& d,
                       const cohesion::Vector3& normal) const;
-  bool repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
+  bool repeat(const CachedContact& k, const ContactModels::SurfacesCloseData& d,
               cohesion::contact_solver::ContactStep& step, ContactState& state) const;
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
              const cohesion::contact_solver::ContactStep& step) const;
   /// `time_apart`: how much of the step before it was no contact, [time].
-  static void set_friction(ContactModels::SurfacesIntersectData& contact, const KnownContact& k,
+  static void set_friction(ContactModels::SurfacesIntersectData& contact, const CachedContact& k,
                            const cohesion::contact_solver::PersistentStep& step, double time_apart,
                            double* spring);
-  void make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const;
+  void make_law(CachedContact& k, const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::Atom* atom_;
@@ -165,22 +165,23 @@ class ExactContacts {
   ContactRange range_;
   FixAccelerations* accelerations_ = nullptr;
   MobileParticles mobile_;
-  std::vector<KnownContact> known_;  // the last of each two types
-  const KnownContact* followed_ = nullptr;
-  double time_apart_ = 0.0;  // how much of the step before the contact just followed was none
+  std::vector<CachedContact> cache_;  // the last of each two types
+  const CachedContact* last_contact_ = nullptr;
+  double time_apart_ = 0.0;  // how much of the step before the last contact was none
   bool frictional_ = false;
   int types_ = 0;
   std::shared_ptr<LateWarning> late_, cut_short_;
 };
 
-inline bool ExactContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
-                                 double& force, ContactEnergies* energies) {
+inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectData& contact,
+                                              double* spring, double& force,
+                                              ContactEnergies* energies) {
   double* const history = contact.contact_history + offset_;
   const double now = accelerations_->clock();
   if (ContactState::phase_of(history) != ContactState::persistent || history[STEP] != now)
     return false;
   if (!contact.computeflag || !contact.shearupdate) return false;
-  const KnownContact* const k = known_contact(contact);
+  const CachedContact* const k = cached_contact(contact);
   if (!k) return false;
   ContactState state = ContactState::stored(history);
   const double time_apart = k->law->step() - state.contact_time;
@@ -222,7 +223,7 @@ inline bool ExactContacts::is_far(const ContactModels::SurfacesCloseData& d) con
 }
 
 inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
-                                        const KnownContact& k,
+                                        const CachedContact& k,
                                         const cohesion::contact_solver::PersistentStep& step,
                                         double time_apart, double* spring) {
   contact.Fn = std::max(step.repulsion, 0.0);

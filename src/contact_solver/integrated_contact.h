@@ -57,38 +57,38 @@ class IntegratedContact {
   double friction_load() const { return friction_load_; }
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
     if (!(s.x > lowest_)) return false;
-    Course course{s, law_.at(s.x), 0.0};
+    ContactPath path{s, law_.at(s.x), 0.0};
     for (int k = 0; k < substeps; k++) {
-      const Overlap before = course.s;
-      move(course, step_ / substeps, pull_ - outward);
-      if (may_part(before, course.s)) return false;
+      const Overlap before = path.s;
+      move(path, step_ / substeps, pull_ - outward);
+      if (may_part(before, path.s)) return false;
     }
-    record_contact(s, course, step_, pull_ - outward, record);
+    record_contact(s, path, step_, pull_ - outward, record);
     return true;
   }
   double advance(Overlap& s, double time, double outward, NormalRecord& record) const {
     const double drive = pull_ - outward;
     const int steps = std::max(1, static_cast<int>(std::ceil(substeps * time / step_ - 1e-9)));
-    Course course{s, law_.at(s.x), 0.0};
+    ContactPath path{s, law_.at(s.x), 0.0};
     for (int k = 0; k < steps; k++) {
-      const Course before = course;
-      move(course, time / steps, drive);
-      if (!may_part(before.s, course.s)) continue;
+      const ContactPath before = path;
+      move(path, time / steps, drive);
+      if (!may_part(before.s, path.s)) continue;
       const Parting parting = part(before, drive);
       if (parting.speed > 0.0) {
         const double taken = k * time / steps + std::min(parting.time, time / steps);
-        course = {{lowest_, -parting.speed},
-                  at_lowest_,
-                  before.dissipated + parting.dissipated + at_lowest_.energy};
-        record_contact(s, course, taken, drive, record);
+        path = {{lowest_, -parting.speed},
+                at_lowest_,
+                before.dissipated + parting.dissipated + at_lowest_.energy};
+        record_contact(s, path, taken, drive, record);
         return taken;
       }
       // The energy does not suffice: it turns within the contact.
-      course.s = {std::max(course.s.x, lowest_ + turning_part * (before.s.x - lowest_)),
-                  std::max(course.s.v, 0.0)};
-      course.at = law_.at(course.s.x);
+      path.s = {std::max(path.s.x, lowest_ + turning_part * (before.s.x - lowest_)),
+                std::max(path.s.v, 0.0)};
+      path.at = law_.at(path.s.x);
     }
-    record_contact(s, course, time, drive, record);
+    record_contact(s, path, time, drive, record);
     return time;
   }
 
@@ -160,7 +160,7 @@ class IntegratedContact {
   static constexpr double trusted = 0.5;
 
   /// Through a contact: what is reached, the law there, and what the dashpot has taken.
-  struct Course {
+  struct ContactPath {
     Overlap s;
     contact::LawPoint at;
     double dissipated;
@@ -277,14 +277,14 @@ class IntegratedContact {
   }
 
   /// A sub-step of Runge and Kutta under a constant acceleration.
-  void move(Course& course, double h, double drive) const {
+  void move(ContactPath& path, double h, double drive) const {
     const auto rate_of = [&](double y, const contact::LawPoint& p) {
       return y - p.damping_integral * inverse_mass_;
     };
     const auto at = [&](double x) { return point(x); };
     const auto push = [&](const contact::LawPoint& p) { return drive - p.force * inverse_mass_; };
-    const Overlap start = course.s;
-    const contact::LawPoint p1 = course.at;
+    const Overlap start = path.s;
+    const contact::LawPoint p1 = path.at;
     const double y = start.v + p1.damping_integral * inverse_mass_;
     const double x1 = start.v, y1 = push(p1);
     const contact::LawPoint p2 = at(start.x + 0.5 * h * x1);
@@ -293,16 +293,16 @@ class IntegratedContact {
     const double x3 = rate_of(y + 0.5 * h * y2, p3), y3 = push(p3);
     const contact::LawPoint p4 = at(start.x + h * x3);
     const double x4 = rate_of(y + h * y3, p4), y4 = push(p4);
-    course.s.x = start.x + h / 6.0 * (x1 + 2.0 * x2 + 2.0 * x3 + x4);
-    course.at = at(course.s.x);
-    course.s.v = rate_of(y + h / 6.0 * (y1 + 2.0 * y2 + 2.0 * y3 + y4), course.at);
+    path.s.x = start.x + h / 6.0 * (x1 + 2.0 * x2 + 2.0 * x3 + x4);
+    path.at = at(path.s.x);
+    path.s.v = rate_of(y + h / 6.0 * (y1 + 2.0 * y2 + 2.0 * y3 + y4), path.at);
     if (!is_damped_) return;
     // int v dC, both as parabolas in time.
-    const double x_middle = 0.5 * (start.x + course.s.x) + 0.125 * h * (start.v - course.s.v);
-    const double v_middle = 1.5 * (course.s.x - start.x) / h - 0.25 * (start.v + course.s.v);
-    course.dissipated +=
-        std::max(work_of_dashpot(start.v, v_middle, course.s.v, p1.damping_integral,
-                                 at(x_middle).damping_integral, course.at.damping_integral),
+    const double x_middle = 0.5 * (start.x + path.s.x) + 0.125 * h * (start.v - path.s.v);
+    const double v_middle = 1.5 * (path.s.x - start.x) / h - 0.25 * (start.v + path.s.v);
+    path.dissipated +=
+        std::max(work_of_dashpot(start.v, v_middle, path.s.v, p1.damping_integral,
+                                 at(x_middle).damping_integral, path.at.damping_integral),
                  0.0);
   }
   /// int v dC of three points of equal distance, both as parabolas.
@@ -313,7 +313,7 @@ class IntegratedContact {
   }
 
   /// The way from a place in contact to parting, by the energy.
-  Parting part(const Course& from, double drive) const {
+  Parting part(const ContactPath& from, double drive) const {
     const double x = from.s.x, way = x - lowest_, speed = std::abs(from.s.v);
     // Twice the kinetic energy per mass where the overlap is `to`, if `lost` was dissipated.
     const auto square_at = [&](double to, double energy, double lost) {
@@ -351,7 +351,7 @@ class IntegratedContact {
     return parting;
   }
 
-  void record_contact(Overlap& s, const Course& end, double time, double drive,
+  void record_contact(Overlap& s, const ContactPath& end, double time, double drive,
                       NormalRecord& record) const {
     record.contact_time += time;
     const double friction = friction_load_ - adhesion_;
