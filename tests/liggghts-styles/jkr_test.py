@@ -62,8 +62,8 @@ class Jkr(unittest.TestCase):
         self.assertAlmostEqual(found, wide, delta=1e-3 * wide)
 
     def test_a_grain_that_touches_exactly_makes_contact(self):
-        # Without weight it is pressed in until its force is 0, and comes to rest there: e^(pi 60/20) of the swing are gone
-        # after 60 contact times, of the dashpot and of the pressed neck.
+        # Without weight it is pressed in until its force is 0, and comes to rest there: with a restitution of 0.5 a swing
+        # loses half of its speed in a contact time, and little is left after 60 of them.
         pair = JkrPair(5e6, GAMMA, 0.5, DIAMETER, poisson=0.3, plane=True)
         at_rest = pair.overlap(brentq(pair.force, 1.01 * pair.smallest, 100 * pair.smallest))
         dt = pair.contact_time(pair.sticking_speed()) / 20
