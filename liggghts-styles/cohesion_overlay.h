@@ -224,9 +224,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
           return attraction_.contact_law(normal, i, j, ri, rj);
         },
         [](const auto& spring, const auto& adhesion, double distance, double step) {
-          using Law = typename Attraction::Solver;
+          using Solver = typename Attraction::Solver;
           return std::unique_ptr<Cohesion::ExactContacts::ContactSolver>(
-              new Law(spring, adhesion, distance, step));
+              new Solver(spring, adhesion, distance, step));
         },
         attraction_.range(), !has("tangential", "off") || !has("rolling_friction", "off"),
         registry.max_type());

@@ -58,11 +58,12 @@ ExactContacts::ExactContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 ExactContacts::~ExactContacts() = default;
 
 void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, ContactLaw law,
-                            MakeLaw maker, const ContactRange& range, bool frictional, int types) {
+                            MakeSolver maker, const ContactRange& range, bool frictional,
+                            int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
   contact_law_ = std::move(law);
-  make_law_ = maker;
+  make_solver_ = maker;
   range_ = range;
   frictional_ = frictional;
   types_ = types;
@@ -111,11 +112,11 @@ ExactContacts::CachedContact* ExactContacts::renew(CachedContact& k,
   k.rj = rj;
   k.mass_i = mass_i;
   k.mass_j = mass_j;
-  make_law(k, d);
+  make_solver(k, d);
   return &k;
 }
 
-void ExactContacts::make_law(CachedContact& k, const ContactModels::SurfacesCloseData& d) const {
+void ExactContacts::make_solver(CachedContact& k, const ContactModels::SurfacesCloseData& d) const {
   const auto inverse = [](double mass) { return mass > 0.0 ? 1.0 / mass : 0.0; };
   const double reduced_mass = 1.0 / (inverse(k.mass_i) + inverse(k.mass_j));
   const double dt = lmp_->update->dt;
@@ -124,8 +125,8 @@ void ExactContacts::make_law(CachedContact& k, const ContactModels::SurfacesClos
                                       reduced_mass, 0.0,     d.is_wall};
     const cohesion::contact::NormalLaw normal =
         contact_law_(normal_->law(pair), d.itype, d.jtype, d.radi, k.rj);
-    k.law = make_law_(normal, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
-    if (frictional_) k.law->leave_out_exchange();
+    k.solver = make_solver_(normal, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
+    if (frictional_) k.solver->leave_out_exchange();
     if (!cohesion::contact::is_linear(normal)) {
       k.stiffening = normal;
       using cohesion::contact::HertzSpringDashpot;
@@ -170,8 +171,8 @@ const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData&
 
 void ExactContacts::set_energies(const CachedContact& k, double contact_distance,
                                  const SolvedStep& step, ContactEnergies& energies) {
-  set_normal_losses(*k.law, step, energies);
-  set_normal_stored(*k.law, step, contact_distance, energies.stored);
+  set_normal_losses(*k.solver, step, energies);
+  set_normal_stored(*k.solver, step, contact_distance, energies.stored);
 }
 
 bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
@@ -186,8 +187,8 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
     if (repeat(*k, d, step, state)) {
       // What it stores under a load is that of the last step.
       if (energies && state.in_range()) {
-        energies->stored.spring = k->law->spring_energy(d.radsum - r);
-        energies->stored.adhesion = k->law->adhesion_energy(d.radsum - r);
+        energies->stored.spring = k->solver->spring_energy(d.radsum - r);
+        energies->stored.adhesion = k->solver->adhesion_energy(d.radsum - r);
       }
       remember(d, true);
       exclude_impulse(*k, d, normal, state);
@@ -197,21 +198,21 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   }
   const double* const last = first ? nullptr : last_record(d);
   state = last ? ContactState::stored(last) : ContactState{ContactState::unknown};
-  time_apart_ = k->law->step() - state.contact_time;
+  time_apart_ = k->solver->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
-  const double external = first ? 0.0 : k->law->external(by_all, now, state);
+  const double external = first ? 0.0 : k->solver->external(by_all, now, state);
   if (state.is_outside()) {
-    if (!k->law->within_reach(now, external)) {
+    if (!k->solver->within_reach(now, external)) {
       remember(d, false);
       return false;
     }
-    const double seen = (1.0 + MARGIN) * d.radsum + k->law->range();
-    if (!first && r - k->law->step() * now.rate > seen) late_->due = true;
+    const double seen = (1.0 + MARGIN) * d.radsum + k->solver->range();
+    if (!first && r - k->solver->step() * now.rate > seen) late_->due = true;
   }
-  const double velocity_step = first ? 0.5 * k->law->step() : k->law->step();
+  const double velocity_step = first ? 0.5 * k->solver->step() : k->solver->step();
   const ContactState before = state;
-  step = k->law->advance(now, external, velocity_step, state);
+  step = k->solver->advance(now, external, velocity_step, state);
   if (energies)
     set_energies(*k, d.radsum, {now, external, first, before, state, step.force, step.dissipated},
                  *energies);
@@ -226,7 +227,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
 void ExactContacts::exclude_impulse(const CachedContact& k,
                                     const ContactModels::SurfacesCloseData& d, const double* normal,
                                     const ContactState& state) {
-  if (state.force == 0.0 || !k.law->gave_impulse(state)) return;
+  if (state.force == 0.0 || !k.solver->gave_impulse(state)) return;
   const cohesion::Vector3 on_i = state.force * cohesion::vector(normal);
   if (mobile_.moves(atom_->mask[d.i])) accelerations_->exclude(d.i, on_i);
   if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) accelerations_->exclude(d.j, -on_i);
@@ -247,7 +248,7 @@ bool ExactContacts::repeat(const CachedContact& k, const ContactModels::Surfaces
   state = ContactState::stored(history);
   const double now = lmp_->update->dt, then = accelerations_->last_step();
   if (d.computeflag && then != now) {
-    if (state.force == 0.0 || !k.law->gave_impulse(state)) return false;
+    if (state.force == 0.0 || !k.solver->gave_impulse(state)) return false;
     state.force *= then / now;
     state.store(history);
   }

@@ -44,9 +44,9 @@ class ExactContacts {
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
   using ContactSolver = cohesion::contact_solver::ContactSolver;
   using ContactEnergies = cohesion::contact_solver::ContactEnergies;
-  using MakeLaw = std::unique_ptr<ContactSolver> (*)(const cohesion::contact::NormalLaw&,
-                                                     const cohesion::contact::Adhesion&,
-                                                     double contact_distance, double step);
+  using MakeSolver = std::unique_ptr<ContactSolver> (*)(const cohesion::contact::NormalLaw&,
+                                                        const cohesion::contact::Adhesion&,
+                                                        double contact_distance, double step);
 
   /// who: in messages; wall: null for pairs. Adds to the history of contacts.
   ExactContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
@@ -60,7 +60,7 @@ class ExactContacts {
   /// `adhesion`: of two types and radii; rj infinite: next to a wall; law: made of the engine's
   /// normal law for the same; maker: of the solver; range: beyond which nothing acts; frictional:
   /// whether friction acts in contacts.
-  void connect(const NormalModelProbe& normal, Adhesion adhesion, ContactLaw law, MakeLaw maker,
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, ContactLaw law, MakeSolver maker,
                const ContactRange& range, bool frictional, int types);
 
   /// A step of a contact that was persistent in the last step and stays so, with its friction:
@@ -100,10 +100,10 @@ class ExactContacts {
   struct FrictionOfRadius {
     double stiffness, damping_squared;
   };
-  /// The bodies of a contact, and its law.
+  /// The bodies of a contact, and its solver.
   struct CachedContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
-    std::unique_ptr<ContactSolver> law;
+    std::unique_ptr<ContactSolver> solver;
     cohesion::contact_solver::DiscreteConstants tangential{};  ///< beside a linear spring
     /// Of a tangential spring that stiffens with the overlap; none: it does not.
     std::optional<cohesion::contact::NormalLaw> stiffening;
@@ -114,13 +114,13 @@ class ExactContacts {
 
   void exclude_impulse(const CachedContact&, const ContactModels::SurfacesCloseData& d,
                        const double* normal, const ContactState&);
-  /// The law of a contact; null: nothing that a force could move.
+  /// The solver of a contact; null: nothing that a force could move.
   CachedContact* cached_contact(const ContactModels::SurfacesCloseData& d) {
     CachedContact& k = cache_[d.itype * (types_ + 1) + d.jtype];
     const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
     const double mass_i = mass(d.i), mass_j = d.is_wall ? 0.0 : mass(d.j);
-    const bool is_same = k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i &&
-                         k.mass_j == mass_j && k.law->step() == lmp_->update->dt;
+    const bool is_same = k.solver && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i &&
+                         k.mass_j == mass_j && k.solver->step() == lmp_->update->dt;
     return is_same ? &k : renew(k, d, rj, mass_i, mass_j);
   }
   CachedContact* renew(CachedContact& k, const ContactModels::SurfacesCloseData& d, double rj,
@@ -151,7 +151,7 @@ class ExactContacts {
   static void set_friction(ContactModels::SurfacesIntersectData& contact, const CachedContact& k,
                            const cohesion::contact_solver::PersistentStep& step, double time_apart,
                            double* spring);
-  void make_law(CachedContact& k, const ContactModels::SurfacesCloseData& d) const;
+  void make_solver(CachedContact& k, const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::Atom* atom_;
@@ -161,7 +161,7 @@ class ExactContacts {
   const NormalModelProbe* normal_ = nullptr;
   Adhesion adhesion_;
   ContactLaw contact_law_;
-  MakeLaw make_law_ = nullptr;
+  MakeSolver make_solver_ = nullptr;
   ContactRange range_;
   FixAccelerations* accelerations_ = nullptr;
   MobileParticles mobile_;
@@ -184,17 +184,17 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   const CachedContact* const k = cached_contact(contact);
   if (!k) return false;
   ContactState state = ContactState::stored(history);
-  const double time_apart = k->law->step() - state.contact_time;
+  const double time_apart = k->solver->step() - state.contact_time;
   cohesion::contact_solver::PersistentStep step;
   const StaggeredMotion at = motion(contact, contact.r, contact.en);
   const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
-      at.distance, contact.rinv, at.rate, speed_squared, k->law->step());
+      at.distance, contact.rinv, at.rate, speed_squared, k->solver->step());
   if (energies) {
     const ContactState before = state;
-    if (!k->law->advance_persistent(distance, state, step)) return false;
+    if (!k->solver->advance_persistent(distance, state, step)) return false;
     set_energies(*k, contact.radsum, {at, 0.0, false, before, state, state.force, 0.0}, *energies);
-  } else if (!k->law->advance_persistent(distance, state, step)) {
+  } else if (!k->solver->advance_persistent(distance, state, step)) {
     return false;
   }
   force = state.force;
@@ -244,7 +244,7 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
   if (k.stiffening) {
     const double before = step.radius_stiffness_before >= 0.0
                               ? step.radius_stiffness_before
-                              : radius_stiffness(contact.deltan + k.law->step() * contact.vn);
+                              : radius_stiffness(contact.deltan + k.solver->step() * contact.vn);
     const double left = cohesion::contact::stretch_left(before, here);
     for (int d = 0; d < 3; d++) spring[d] *= left;
   }
