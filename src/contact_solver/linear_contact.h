@@ -150,16 +150,19 @@ class LinearContact {
   /// The fraction of the way of a step that a contact must be away from its end to be certain to
   /// last.
   static constexpr double certain = 0.1;
+  /// The largest load of a persistent contact over that at which its overlap is zero.
+  static constexpr double pressed = 0.9;
 
   /// Up to which load a contact stays persistent. Beyond it the overlap at rest is (F_ad - L)/K,
   /// where it was F_ad/K - L/K' before, and the contact begins to swing by the difference. What is
   /// left of the swing when the contact is to part must not part it by a hundredth of F_ad too
   /// early: half of that, of a load that is slow, which needs ten contact times for the last part
-  /// of its way.
+  /// of its way. At 1/weight_ of F_ad the persistent overlap is zero, with the speed of the load's
+  /// way, which the barrier of the tail may not hold there: a part of it stays pressed.
   double bearable(double restitution) const {
     if (!(pull_ > 0.0)) return std::numeric_limits<double>::infinity();
     const double swing = (weight_ - 1.0) * std::pow(restitution, 10.0);
-    return pull_ * std::min(1.0 / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
+    return pull_ * std::min(pressed / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
   }
   /// The outward acceleration of a contact that is resolved, so that a load that a persistent
   /// contact bears gives the same overlap: were it another, spheres that bounce under their weight

@@ -30,6 +30,12 @@ class PullOff(unittest.TestCase):
         for diameter in (10e-6, 1e-3):
             self.check(LAG, 10, 500.0, 0.9, diameter)
 
+    def test_load_that_grows_fast_on_a_deep_contact(self):
+        # The overlap at rest is 13,000 H_cut; the grain moves with more energy than the barrier of the tail has at
+        # (K'/K) F_ad, 0.72 F_ad at t_c/4.
+        for division in (4, 5, 8):
+            self.check(LAG, division, 10.0, 0.3, 1e-3)
+
     def test_any_partner_and_load(self):
         for partner in pull_off.PARTNERS:
             for pulled_by in ("addforce",) if partner == "pair" else ("addforce", "gravity"):

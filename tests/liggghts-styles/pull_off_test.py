@@ -35,6 +35,10 @@ class PullOff(unittest.TestCase):
         for restitution, division in ((0.9, 4), (0.5, 4), (0.3, 10), (0.5, 20)):
             self.check(division, 50.0, restitution, pulled_by="wall")
 
+    def test_load_that_grows_fast_on_a_deep_contact(self):
+        for division in (4, 5):
+            self.check(division, 10.0, 0.3, 1e-3)
+
     def test_sampled(self):
         self.check(50, 50.0, 0.5, scheme="sampled")
 
