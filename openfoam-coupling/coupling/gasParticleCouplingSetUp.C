@@ -7,12 +7,8 @@
 #include "UPstream.H"
 #include "zeroGradientFvPatchFields.H"
 
-#include "coupling/checks/requireBoxOfMesh.H"
+#include "coupling/checks/caseChecks.H"
 #include "coupling/checks/requireDimensions.H"
-#include "coupling/checks/requirePatches.H"
-#include "coupling/checks/requireSameGravity.H"
-#include "coupling/checks/suspensionInSmallCells.H"
-#include "coupling/checks/wideSmoothing.H"
 #include "coupling/input/readPositive.H"
 #include "coupling/input/selectRow.H"
 #include "coupling/particles/engineMessages.H"

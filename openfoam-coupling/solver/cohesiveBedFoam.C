@@ -34,7 +34,7 @@ Usage
 #include "coupling/restart/completeState.H"
 #include "coupling/gasParticleCoupling.H"
 #include "coupling/checks/requireDimensions.H"
-#include "coupling/checks/unreadFields.H"
+#include "coupling/checks/caseChecks.H"
 
 int main(int argc, char* argv[])
 {

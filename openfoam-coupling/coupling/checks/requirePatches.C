@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "requirePatches.H"
+#include "caseChecks.H"
 
 #include "boundBox.H"
 #include "cyclicPolyPatch.H"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "requireSameGravity.H"
+#include "caseChecks.H"
 
 #include "coupling/input/selectRow.H"
 #include "coupling/sixDigits.H"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unreadFields.H"
+#include "caseChecks.H"
 
 #include "IFstream.H"
+#include "fvMesh.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
 #include "Time.H"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wideSmoothing.H"
+#include "caseChecks.H"
 
 #include "fvMesh.H"
 
