@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""programs.py SOURCE_DIR: what a user runs by hand, in examples/ and tests/benchmarks/, finds its modules from any
+"""programs.py SOURCE_DIR: what a user runs by hand, in examples/ and benchmarks/, finds its modules from any
 folder and without any environment; and no program changes where Python looks for them."""
 import ast
 import os
@@ -11,11 +11,10 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 SOURCE = Path(sys.argv.pop(1) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2])
-FILES = [file for folder in ("examples", "tests") for file in sorted((SOURCE / folder).rglob("*.py"))
+FILES = [file for folder in ("benchmarks", "examples", "tests") for file in sorted((SOURCE / folder).rglob("*.py"))
          if file != Path(__file__)]
 PROGRAMS = [file for file in FILES if "__main__" in file.read_text() and not file.name.endswith("_test.py")
-            and {"examples", "benchmarks"} & set(file.relative_to(SOURCE).parts[:2])
-            and file.relative_to(SOURCE).parts[:2] != ("tests", "examples")]
+            and file.relative_to(SOURCE).parts[0] != "tests"]
 PACKAGES = {"cohesion_studies": SOURCE / "examples/common/cohesion_studies",
             "cohesion_tests": SOURCE / "tests/support/cohesion_tests"}
 

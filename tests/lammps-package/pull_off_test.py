@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pull-off under a slow load: contacts of gran/hamaker part at F_ad whatever the step, stiffness, restitution, size,
-partner and load; a square well holds any slow load. tests/benchmarks/lammps-package/pull-off-ramp.py prints the whole
+partner and load; a square well holds any slow load. benchmarks/lammps-package/pull-off-ramp.py prints the whole
 campaign."""
 import sys
 import unittest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pull-off under a slow load: contacts of scheme exact part at F_ad whatever the step, stiffness, restitution, size,
-partner and load. tests/benchmarks/liggghts-styles/pull-off-campaign.py prints the whole campaign."""
+partner and load. benchmarks/liggghts-styles/pull-off-campaign.py prints the whole campaign."""
 
 import sys
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Command line of the programs that measure (tests/benchmarks): `LMP_WITH_PLUGIN_COMMAND PLUGIN [options]`, and of
+"""Command line of the programs that measure (benchmarks): `LMP_WITH_PLUGIN_COMMAND PLUGIN [options]`, and of
 those that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`."""
 import argparse
 import os

@@ -16,7 +16,7 @@ COLUMNS = {"right": "correct", "warned": "incorrect, warned", "elsewhere": "inco
 INCORRECT = ("warned", "elsewhere", "silent")
 # Rows of the table of random points by their time step.
 FIGURES = ("correct/judged cases", "incorrect, unwarned", "stopped/all points")
-PROGRAM = "tests/benchmarks/lammps-package/stability-campaign.py"
+PROGRAM = "benchmarks/lammps-package/stability-campaign.py"
 HEAD = f"""# Stability at the ends of all parameters
 
 The stability campaign runs the contact laws of this package at the ends of their parameters and at random points

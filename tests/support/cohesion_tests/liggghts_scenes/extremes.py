@@ -221,7 +221,7 @@ def report(rows):
     models = dict.fromkeys(row[0] for row in rows)
     kinds = ("right", *WRONG.values(), "refused", "crashed", "hangs")
     lines = ["# LIGGGHTS cohesion models at the ends of their parameters", "",
-             "Written by `tests/benchmarks/liggghts-styles/extremes-campaign.py`. What was done, and what the verdicts",
+             "Written by `benchmarks/liggghts-styles/extremes-campaign.py`. What was done, and what the verdicts",
              "mean, says `tests/support/cohesion_tests/liggghts_scenes/extremes.py`.",
              "hooke/stiffness, spheres of 1 mm and 2650 kg/m^3. depth: speed that the well adds, over the speed of",
              "impact; width: of the well, over the flight within it in a contact time. Three spheres are compared at",

@@ -35,7 +35,7 @@ FINER = 8
 REYNOLDS = 0.1
 PAGE = """# Stability of the coupling
 
-Written by `tests/benchmarks/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each,
+Written by `benchmarks/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each,
 in periodic boxes without gravity. A gas step has five particle steps.
 
 - *uniform*: gas blown through spheres that are free to move. Largest error of the velocities of gas and particles over
