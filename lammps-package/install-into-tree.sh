@@ -51,6 +51,14 @@ for room in "$here"/*/; do  # a package of LAMMPS is flat
   esac
 done
 
+# Its own headers are included with their folder here, and without one there.
+for header in "$here"/*/*.h; do
+  folder=${header%/*}
+  echo "s,^#include \"${folder##*/}/${header##*/}\",#include \"${header##*/}\","
+done >"$package/flat.sed"
+sed -i -f "$package/flat.sed" "$package"/*.h "$package"/*.cpp
+rm "$package/flat.sed"
+
 headers=$(core_headers "$package"/*.h "$package"/*.cpp)
 while [ -n "$headers" ]; do
   set --

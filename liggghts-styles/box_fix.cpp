@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
+#include "common/message.h"
 #include "fix_wall_gran.h"
 #include "liggghts_api.h"
-#include "message.h"
 #include "primitive_wall.h"
 
 namespace LAMMPS_NS {

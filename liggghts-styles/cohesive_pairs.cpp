@@ -7,8 +7,8 @@
 
 #include "atom.h"
 #include "cohesive_pairs.h"
+#include "common/message.h"
 #include "force.h"
-#include "message.h"
 #include "neigh_list.h"
 #include "pair_gran.h"
 

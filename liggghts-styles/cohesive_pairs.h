@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bound_pairs.h"
+#include "common/bound_pairs.h"
 #include "contact_interface.h"
 
 namespace LAMMPS_NS {

@@ -2,8 +2,8 @@
 #ifndef COHESION_COMPUTE_GRAN_ENERGY_H
 #define COHESION_COMPUTE_GRAN_ENERGY_H
 
+#include "common/energy_tally_of_runs.h"
 #include "energy_tally.h"
-#include "energy_tally_of_runs.h"
 #include "liggghts_api.h"
 
 namespace LIGGGHTS {

@@ -5,10 +5,10 @@
 
 #include <sstream>
 
+#include "common/plausible_sizes.h"
 #include "error.h"
 #include "fix_wall_gran.h"
 #include "neighbor.h"
-#include "plausible_sizes.h"
 #include "property_registry.h"
 
 namespace LIGGGHTS {

@@ -3,6 +3,7 @@
 // The engine's headers want mpi.h before them.
 #include <algorithm>
 
+#include "common/guarded.h"
 #include "contact_models.h"
 #include "domain.h"
 #include "error.h"
@@ -10,7 +11,6 @@
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
-#include "guarded.h"
 #include "hidden_fix.h"
 #include "mesh_contact.h"
 #include "modify.h"

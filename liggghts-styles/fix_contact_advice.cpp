@@ -9,15 +9,15 @@
 #include "advice/contact_report.h"
 #include "atom.h"
 #include "comm.h"
-#include "distinct_places.h"
+#include "common/distinct_places.h"
+#include "common/mixed_schemes.h"
+#include "common/unmoved_spheres.h"
+#include "common/unturned_spheres.h"
 #include "error.h"
 #include "force.h"
 #include "integrated_particles.h"
 #include "liggghts_api.h"
-#include "mixed_schemes.h"
 #include "pair_gran.h"
-#include "unmoved_spheres.h"
-#include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {

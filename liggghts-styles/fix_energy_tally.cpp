@@ -9,7 +9,7 @@
 
 #include "cohesive_pairs.h"
 #include "comm.h"
-#include "energy_tally_of_runs.h"
+#include "common/energy_tally_of_runs.h"
 #include "error.h"
 #include "fix_accelerations.h"
 #include "fix_wall_gran.h"

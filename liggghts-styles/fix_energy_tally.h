@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "box_sides.h"
+#include "common/box_sides.h"
 #include "fix.h"
 #include "model_energy_tally.h"
 

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "atom.h"
+#include "common/message.h"
 #include "contact_solver/turning.h"
 #include "error.h"
 #include "fix.h"
 #include "global_properties.h"
 #include "hamaker/range_of_validity.h"
 #include "liggghts_api.h"
-#include "message.h"
 #include "modify.h"
 #include "property_registry.h"
 #include "word_settings.h"

@@ -4,11 +4,11 @@
 
 #include <cstring>
 
+#include "common/held_spheres.h"
+#include "common/unturned_spheres.h"
 #include "fix.h"
-#include "held_spheres.h"
 #include "lammps.h"
 #include "modify.h"
-#include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {

@@ -10,10 +10,10 @@
 #include <variant>
 
 #include "advice/known_materials.h"
+#include "common/plausible_sizes.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
 #include "global_properties.h"
-#include "plausible_sizes.h"
 #include "property_registry.h"
 #include "sphere.h"
 

@@ -10,20 +10,20 @@
 #include <set>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
+#include "common/guarded.h"
+#include "common/several_neighbours.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
 #include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "gravity_of_fixes.h"
-#include "guarded.h"
 #include "integrated_particles.h"
 #include "liggghts_api.h"
 #include "neighbor.h"
 #include "pair_gran.h"
-#include "several_neighbours.h"
 #include "sphere.h"
 #include "update.h"
 

@@ -5,9 +5,9 @@
 // The engine's headers want mpi.h before them.
 #include <map>
 
+#include "common/former_words.h"
 #include "contact_models.h"
 #include "error.h"
-#include "former_words.h"
 #include "liggghts_api.h"
 #include "modify.h"
 #include "named_table.h"

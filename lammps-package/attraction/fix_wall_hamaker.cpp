@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_wall_hamaker.h"
+#include "attraction/fix_wall_hamaker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +9,19 @@
 #include <vector>
 
 #include "atom.h"
+#include "common/given_keywords.h"
+#include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
 #include "domain.h"
+#include "engine/largest_radii.h"
+#include "engine/particles_at_walls.h"
 #include "error.h"
-#include "given_keywords.h"
-#include "hamaker_keywords.h"
-#include "largest_radii.h"
-#include "law_from_script.h"
+#include "input/hamaker_keywords.h"
+#include "input/law_from_script.h"
+#include "input/words_of_law.h"
 #include "modify.h"
-#include "particles_at_walls.h"
-#include "plausible_sizes.h"
 #include "sphere.h"
 #include "update.h"
-#include "words_of_law.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;

@@ -11,11 +11,11 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #include <string>
 #include <vector>
 
-#include "contact_advice.h"
 #include "contact_solver/wall.h"
 #include "fix.h"
 #include "hamaker/forms.h"
-#include "wall_history.h"
+#include "soft_contacts/contact_advice.h"
+#include "soft_contacts/wall_history.h"
 
 namespace LAMMPS_NS {
 

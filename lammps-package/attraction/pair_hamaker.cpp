@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "pair_hamaker.h"
+#include "attraction/pair_hamaker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,24 +8,24 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/distinct_places.h"
+#include "common/engine_api.h"
 #include "contact/adhesion.h"
-#include "distinct_places.h"
-#include "engine_api.h"
+#include "engine/largest_radii.h"
+#include "engine/mobile_particles.h"
+#include "engine/special_pairs.h"
 #include "error.h"
 #include "force.h"
-#include "hamaker_keywords.h"
-#include "largest_radii.h"
-#include "law_from_script.h"
+#include "input/hamaker_keywords.h"
+#include "input/law_from_script.h"
+#include "input/restart_format.h"
+#include "input/words_of_law.h"
 #include "memory.h"
-#include "mobile_particles.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "restart_format.h"
-#include "special_pairs.h"
 #include "sphere.h"
 #include "update.h"
 #include "vector3.h"
-#include "words_of_law.h"
 
 using namespace LAMMPS_NS;
 namespace hamaker = cohesion::hamaker;

@@ -12,11 +12,11 @@ PairStyle(hamaker,PairHamaker);
 #include <string>
 #include <vector>
 
-#include "bound_pairs.h"
-#include "contact_advice.h"
+#include "common/bound_pairs.h"
 #include "hamaker/forms.h"
+#include "input/type_pair_table.h"
 #include "pair.h"
-#include "type_pair_table.h"
+#include "soft_contacts/contact_advice.h"
 
 namespace LAMMPS_NS {
 

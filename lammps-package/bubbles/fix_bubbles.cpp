@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_bubbles.h"
+#include "bubbles/fix_bubbles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
+#include "common/fix_gas_coupling.h"
+#include "common/message.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_gas_coupling.h"
 #include "liquid/rows_of_bubbles.h"
-#include "message.h"
 #include "modify.h"
 #include "update.h"
 

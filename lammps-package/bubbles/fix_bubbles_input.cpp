@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // What a script says of fix bubbles.
 #include "atom.h"
+#include "bubbles/fix_bubbles.h"
+#include "common/given_keywords.h"
+#include "common/message.h"
 #include "domain.h"
-#include "fix_bubbles.h"
-#include "given_keywords.h"
-#include "law_from_script.h"
-#include "message.h"
+#include "input/law_from_script.h"
 #include "update.h"
 #include "utils.h"
 

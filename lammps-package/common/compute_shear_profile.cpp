@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "compute_shear_profile.h"
+#include "common/compute_shear_profile.h"
 
 #include <cmath>
 #include <cstring>
 #include <string>
 
 #include "atom.h"
-#include "box_shear.h"
+#include "common/box_shear.h"
+#include "common/message.h"
 #include "domain.h"
 #include "force.h"
 #include "memory.h"
-#include "message.h"
 #include "shear/granular_temperature.h"
 #include "shear/kinetic_stress.h"
 #include "update.h"

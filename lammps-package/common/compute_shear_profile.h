@@ -8,7 +8,7 @@ ComputeStyle(shear/profile,ComputeShearProfile);
 #ifndef LMP_COMPUTE_SHEAR_PROFILE_H
 #define LMP_COMPUTE_SHEAR_PROFILE_H
 
-#include "engine_api.h"
+#include "common/engine_api.h"
 #include "shear/mean_profile.h"
 #include "shear/slip.h"
 

@@ -6,8 +6,8 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
 #include "error.h"
-#include "message.h"
 #include "neigh_list.h"
 #include "vector3.h"
 

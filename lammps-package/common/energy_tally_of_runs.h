@@ -5,12 +5,12 @@
 #include <string>
 
 #include "atom.h"
-#include "box_sides.h"
 #include "comm.h"
+#include "common/box_sides.h"
+#include "common/engine_api.h"
+#include "common/message.h"
 #include "compute.h"
 #include "energy_tally.h"
-#include "engine_api.h"
-#include "message.h"
 #include "modify.h"
 #include "update.h"
 

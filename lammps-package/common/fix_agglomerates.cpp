@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_agglomerates.h"
+#include "common/fix_agglomerates.h"
 
 #include <algorithm>
 #include <cstring>
 #include <string>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
+#include "common/engine_api.h"
+#include "common/fragment_exchange.h"
+#include "common/given_keywords.h"
+#include "common/message.h"
 #include "domain.h"
-#include "engine_api.h"
 #include "force.h"
-#include "fragment_exchange.h"
-#include "given_keywords.h"
 #include "memory.h"
-#include "message.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

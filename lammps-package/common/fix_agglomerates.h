@@ -15,8 +15,8 @@ FixStyle(agglomerates,FixAgglomerates);
 #include "agglomerates/fragment.h"
 #include "agglomerates/membership.h"
 #include "agglomerates/size_statistics.h"
-#include "bound_pairs.h"
-#include "engine_api.h"
+#include "common/bound_pairs.h"
+#include "common/engine_api.h"
 
 namespace LAMMPS_NS {
 

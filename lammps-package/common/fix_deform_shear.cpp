@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_deform_shear.h"
+#include "common/fix_deform_shear.h"
 
 #include <algorithm>
 #include <array>
@@ -8,18 +8,18 @@
 #include <cstring>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
+#include "common/given_keywords.h"
+#include "common/message.h"
+#include "common/shear_compatibility.h"
 #include "domain.h"
-#include "given_keywords.h"
 #include "group.h"
 #include "input.h"
-#include "message.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
 #include "shear/list_margin.h"
-#include "shear_compatibility.h"
 #include "update.h"
 #include "variable.h"
 

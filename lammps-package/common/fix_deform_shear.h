@@ -10,7 +10,7 @@ FixStyle(deform/shear,FixDeformShear);
 
 #include <string>
 
-#include "engine_api.h"
+#include "common/engine_api.h"
 #include "shear/nonaffine_displacements.h"
 #include "shear/sheared_box.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_drive.h"
+#include "common/fix_drive.h"
 
 #include <algorithm>
 #include <array>
@@ -8,14 +8,14 @@
 #include <cstring>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
+#include "common/given_keywords.h"
+#include "common/message.h"
 #include "domain.h"
 #include "driving/philox.h"
 #include "force.h"
-#include "given_keywords.h"
 #include "group.h"
-#include "message.h"
 #include "statistics/order_free_sum.h"
 #include "update.h"
 

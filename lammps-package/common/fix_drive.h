@@ -10,8 +10,8 @@ FixStyle(drive,FixDrive);
 
 #include <string>
 
+#include "common/engine_api.h"
 #include "driving/drive.h"
-#include "engine_api.h"
 
 namespace LAMMPS_NS {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_gas_coupling.h"
+#include "common/fix_gas_coupling.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,14 +8,14 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/engine_api.h"
+#include "common/message.h"
+#include "common/plausible_sizes.h"
 #include "drag/particle_drag.h"
-#include "engine_api.h"
 #include "error.h"
 #include "liquid/sphere_in_liquid.h"
 #include "memory.h"
-#include "message.h"
 #include "modify.h"
-#include "plausible_sizes.h"
 #include "sphere.h"
 #include "update.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fragment_exchange.h"
+#include "common/fragment_exchange.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "message.h"
+#include "common/message.h"
 
 namespace LAMMPS_NS {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "held_spheres.h"
+#include "common/held_spheres.h"
 
 #include <mpi.h>
 // LIGGGHTS' headers want mpi.h before them.
@@ -9,12 +9,12 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
 #include "domain.h"
 #include "fix_lineforce.h"
 #include "fix_planeforce.h"
 #include "fix_setforce.h"
 #include "held_directions.h"
-#include "message.h"
 #include "modify.h"
 
 using namespace LAMMPS_NS;

@@ -10,10 +10,10 @@
 #include "advice/known_materials.h"
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
+#include "common/plausible_sizes.h"
 #include "domain.h"
 #include "force.h"
-#include "message.h"
-#include "plausible_sizes.h"
 #include "sphere.h"
 #include "update.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "shear_compatibility.h"
+#include "common/shear_compatibility.h"
 
 #include <string>
 
 #include "comm.h"
-#include "engine_api.h"
-#include "message.h"
+#include "common/engine_api.h"
+#include "common/message.h"
 #include "modify.h"
 
 using namespace LAMMPS_NS;

@@ -11,9 +11,9 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
 #include "error.h"
 #include "fix.h"
-#include "message.h"
 #include "modify.h"
 
 // Spheres that a fix moves and none turns, in both engines.

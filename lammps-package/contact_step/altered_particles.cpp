@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "altered_particles.h"
+#include "contact_step/altered_particles.h"
 
 #include <algorithm>
 #include <cmath>

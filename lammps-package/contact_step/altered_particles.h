@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "atom.h"
-#include "box_sides.h"
+#include "common/box_sides.h"
 #include "pointers.h"
 #include "vector3.h"
 

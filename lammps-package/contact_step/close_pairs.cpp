@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "close_pairs.h"
+#include "contact_step/close_pairs.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "atom.h"
-#include "box_shear.h"
+#include "common/box_shear.h"
 #include "domain.h"
 #include "neigh_list.h"
 #include "neighbor.h"

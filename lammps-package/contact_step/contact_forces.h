@@ -5,7 +5,7 @@
 #include "atom.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/pair_motion.h"
-#include "fix_contact_step.h"
+#include "contact_step/fix_contact_step.h"
 
 // How contacts of pairs and of walls are computed, and how what they do reaches the particles.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "contact_impulses.h"
+#include "contact_step/contact_impulses.h"
 
 #include <cstring>
 

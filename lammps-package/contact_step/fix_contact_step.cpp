@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_contact_step.h"
+#include "contact_step/fix_contact_step.h"
 
 #include <algorithm>
 #include <string>
 
 #include "atom.h"
 #include "comm.h"
+#include "common/energy_tally_of_runs.h"
 #include "domain.h"
-#include "energy_tally_of_runs.h"
+#include "engine/gravity.h"
+#include "engine/renumbering.h"
 #include "error.h"
-#include "gravity.h"
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
-#include "renumbering.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -10,18 +10,18 @@ FixStyle(CONTACT_STEP,FixContactStep);
 
 #include <vector>
 
-#include "altered_particles.h"
 #include "atom.h"
-#include "atom_numbers.h"
-#include "contact_advice.h"
-#include "contact_energy_tally.h"
-#include "contact_impulses.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_solver/pair_motion.h"
+#include "contact_step/altered_particles.h"
+#include "contact_step/contact_impulses.h"
+#include "contact_step/soft_contact_style.h"
 #include "domain.h"
+#include "engine/atom_numbers.h"
+#include "engine/mobile_particles.h"
 #include "fix.h"
-#include "mobile_particles.h"
-#include "soft_contact_style.h"
+#include "outputs/contact_energy_tally.h"
+#include "soft_contacts/contact_advice.h"
 
 namespace LAMMPS_NS {
 

@@ -7,14 +7,14 @@
 #include <tuple>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
+#include "common/engine_api.h"
+#include "contact_step/fix_contact_step.h"
 #include "domain.h"
-#include "engine_api.h"
-#include "fix_contact_step.h"
+#include "input/restart_format.h"
 #include "memory.h"
 #include "neighbor.h"
-#include "restart_format.h"
 #include "shear/flight.h"
 #include "update.h"
 

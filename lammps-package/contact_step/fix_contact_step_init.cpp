@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "announced_particles.h"
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
+#include "common/mixed_schemes.h"
+#include "common/unmoved_spheres.h"
+#include "common/unturned_spheres.h"
+#include "contact_step/fix_contact_step.h"
+#include "engine/announced_particles.h"
+#include "engine/pair_members.h"
+#include "engine/rerun.h"
 #include "error.h"
-#include "fix_contact_step.h"
 #include "force.h"
 #include "group.h"
-#include "message.h"
-#include "mixed_schemes.h"
 #include "modify.h"
-#include "pair_members.h"
-#include "rerun.h"
-#include "unmoved_spheres.h"
-#include "unturned_spheres.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "announced_particles.h"
+#include "engine/announced_particles.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "bound_pairs.h"
+#include "common/bound_pairs.h"
 
-#include "cohesion_laws.h"
-#include "message.h"
-#include "pair_members.h"
+#include "common/message.h"
+#include "engine/pair_members.h"
+#include "soft_contacts/cohesion_laws.h"
 
 using namespace LAMMPS_NS;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "flight_report.h"
+#include "engine/flight_report.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "atom.h"
-#include "box_shear.h"
+#include "common/box_shear.h"
+#include "common/message.h"
 #include "domain.h"
-#include "message.h"
 #include "update.h"
 #include "vector3.h"
 

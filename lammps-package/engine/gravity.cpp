@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "gravity.h"
+#include "engine/gravity.h"
 
 #include <algorithm>
 
 #include "atom.h"
+#include "common/engine_api.h"
 #include "compute.h"
-#include "engine_api.h"
+#include "engine/mobile_particles.h"
 #include "fix.h"
-#include "mobile_particles.h"
 #include "modify.h"
 #include "utils.h"
 

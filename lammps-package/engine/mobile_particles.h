@@ -4,13 +4,13 @@
 
 #include <cstring>
 
+#include "common/held_spheres.h"
+#include "common/unturned_spheres.h"
 #include "fix.h"
 #include "fix_nh_sphere.h"
 #include "fix_nve_sphere.h"
-#include "held_spheres.h"
 #include "lammps.h"
 #include "modify.h"
-#include "unturned_spheres.h"
 #include "utils.h"
 
 namespace LAMMPS_NS {

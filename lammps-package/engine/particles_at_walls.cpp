@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "particles_at_walls.h"
+#include "engine/particles_at_walls.h"
 
 #include <mpi.h>
 
@@ -8,9 +8,9 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
+#include "engine/mobile_particles.h"
 #include "error.h"
-#include "message.h"
-#include "mobile_particles.h"
 
 using namespace LAMMPS_NS;
 using cohesion::vector;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "renumbering.h"
+#include "engine/renumbering.h"
 
 #include <unordered_map>
 

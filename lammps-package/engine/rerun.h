@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "message.h"
+#include "common/message.h"
 #include "update.h"
 
 namespace LAMMPS_NS {

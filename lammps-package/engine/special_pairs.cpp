@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "special_pairs.h"
+#include "engine/special_pairs.h"
 
 #include "atom.h"
+#include "common/message.h"
 #include "error.h"
 #include "force.h"
-#include "message.h"
 #include "pair_hybrid.h"
 
 using namespace LAMMPS_NS;

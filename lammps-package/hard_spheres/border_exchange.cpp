@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "border_exchange.h"
+#include "hard_spheres/border_exchange.h"
 
 using namespace LAMMPS_NS;
 

@@ -15,12 +15,12 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #include <vector>
 
 #include "atom.h"
+#include "engine/mobile_particles.h"
 #include "fix.h"
-#include "hard_event_record.h"
-#include "hard_event_time_warp.h"
-#include "hard_event_totals.h"
 #include "hard_sphere/time_warp.h"
-#include "mobile_particles.h"
+#include "hard_spheres/hard_event_record.h"
+#include "hard_spheres/hard_event_time_warp.h"
+#include "hard_spheres/hard_event_totals.h"
 #include "shear/nonaffine_displacements.h"
 
 namespace LAMMPS_NS {

@@ -7,9 +7,9 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "engine_api.h"
-#include "fix_hard_events.h"
-#include "renumbering.h"
+#include "common/engine_api.h"
+#include "engine/renumbering.h"
+#include "hard_spheres/fix_hard_events.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_hard_events.h"
-#include "pair_hard_square_well.h"
+#include "hard_spheres/fix_hard_events.h"
+#include "hard_spheres/pair_hard_square_well.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

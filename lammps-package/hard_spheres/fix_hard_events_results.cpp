@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
 #include "domain.h"
+#include "engine/flight_report.h"
 #include "error.h"
-#include "fix_hard_events.h"
-#include "flight_report.h"
+#include "hard_spheres/fix_hard_events.h"
+#include "hard_spheres/pair_hard_square_well.h"
 #include "neighbor.h"
-#include "pair_hard_square_well.h"
 #include "shear/list_margin.h"
 #include "update.h"
 

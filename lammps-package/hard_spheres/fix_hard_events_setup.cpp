@@ -7,17 +7,17 @@
 #include <tuple>
 
 #include "atom.h"
-#include "bound_pairs.h"
 #include "comm.h"
-#include "distinct_places.h"
+#include "common/bound_pairs.h"
+#include "common/distinct_places.h"
+#include "engine/rerun.h"
+#include "engine/special_pairs.h"
 #include "error.h"
-#include "fix_hard_events.h"
 #include "force.h"
+#include "hard_spheres/fix_hard_events.h"
+#include "hard_spheres/pair_hard_square_well.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "pair_hard_square_well.h"
-#include "rerun.h"
-#include "special_pairs.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

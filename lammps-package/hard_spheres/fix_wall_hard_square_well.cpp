@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_wall_hard_square_well.h"
+#include "hard_spheres/fix_wall_hard_square_well.h"
 
 #include <cstring>
 
 #include "atom.h"
 #include "comm.h"
+#include "engine/largest_radii.h"
+#include "engine/particles_at_walls.h"
 #include "error.h"
 #include "force.h"
-#include "largest_radii.h"
+#include "hard_spheres/pair_hard_square_well.h"
+#include "input/restart_format.h"
+#include "input/wall_course_in_restart.h"
+#include "input/walls_from_script.h"
 #include "memory.h"
-#include "pair_hard_square_well.h"
-#include "particles_at_walls.h"
-#include "restart_format.h"
 #include "update.h"
-#include "wall_course_in_restart.h"
-#include "walls_from_script.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;

@@ -12,8 +12,8 @@ FixStyle(wall/hard/square_well,FixWallHardSquareWell);
 #include <vector>
 
 #include "fix.h"
-#include "fix_hard_events.h"
-#include "hard_contact_from_script.h"
+#include "hard_spheres/fix_hard_events.h"
+#include "input/hard_contact_from_script.h"
 
 namespace LAMMPS_NS {
 

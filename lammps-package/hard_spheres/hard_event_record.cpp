@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "hard_event_record.h"
+#include "hard_spheres/hard_event_record.h"
 
 #include <algorithm>
 #include <cinttypes>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "hard_event_time_warp.h"
+#include "hard_spheres/hard_event_time_warp.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "border_exchange.h"
 #include "hard_sphere/time_warp.h"
+#include "hard_spheres/border_exchange.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "pair_hard_square_well.h"
+#include "hard_spheres/pair_hard_square_well.h"
 
 #include <cmath>
 
 #include "atom.h"
 #include "comm.h"
+#include "common/plausible_sizes.h"
+#include "engine/largest_radii.h"
+#include "engine/special_pairs.h"
 #include "error.h"
-#include "fix_hard_events.h"
 #include "force.h"
-#include "largest_radii.h"
+#include "hard_spheres/fix_hard_events.h"
+#include "input/restart_format.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "plausible_sizes.h"
-#include "restart_format.h"
-#include "special_pairs.h"
 #include "square_well/capture.h"
 #include "update.h"
 

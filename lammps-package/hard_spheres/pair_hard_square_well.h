@@ -12,11 +12,11 @@ PairStyle(hard/square_well,PairHardSquareWell);
 #include <string>
 #include <vector>
 
-#include "bound_pairs.h"
-#include "hard_contact_from_script.h"
+#include "common/bound_pairs.h"
 #include "hard_sphere/event_simulation.h"
+#include "input/hard_contact_from_script.h"
+#include "input/type_pair_table.h"
 #include "pair.h"
-#include "type_pair_table.h"
 
 namespace LAMMPS_NS {
 

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "advice/stiffness_scaling.h"
-#include "cohesive_contact_from_script.h"
 #include "comm.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/turning.h"
+#include "input/cohesive_contact_from_script.h"
+#include "input/restart_format.h"
+#include "input/type_pair_table.h"
 #include "pointers.h"
-#include "restart_format.h"
-#include "type_pair_table.h"
 
 namespace LAMMPS_NS {
 

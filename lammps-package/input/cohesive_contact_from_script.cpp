@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "cohesive_contact_from_script.h"
+#include "input/cohesive_contact_from_script.h"
 
 #include <array>
 
-#include "former_words.h"
+#include "common/former_words.h"
 
 using namespace LAMMPS_NS;
 using cohesion::contact::ContactParameters;

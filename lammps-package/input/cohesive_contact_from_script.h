@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "advice/contact_advice.h"
+#include "common/given_keywords.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
-#include "given_keywords.h"
+#include "input/law_from_script.h"
 #include "lammps.h"
-#include "law_from_script.h"
 #include "utils.h"
 
 // What scripts say about cohesive contacts, whatever the cohesion. `Cohesion` is one of

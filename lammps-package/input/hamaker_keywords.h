@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cohesive_contact_from_script.h"
 #include "hamaker/parameters.h"
 #include "hamaker/roughness.h"
+#include "input/cohesive_contact_from_script.h"
 
 namespace LAMMPS_NS {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "hard_contact_from_script.h"
+#include "input/hard_contact_from_script.h"
 
-#include "law_from_script.h"
+#include "input/law_from_script.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;

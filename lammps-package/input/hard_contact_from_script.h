@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "given_keywords.h"
+#include "common/given_keywords.h"
 #include "hard_sphere/hard_contact_parameters.h"
 #include "lammps.h"
 

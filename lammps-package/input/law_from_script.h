@@ -5,13 +5,13 @@
 #include <cmath>
 #include <string>
 
+#include "common/message.h"
+#include "common/plausible_sizes.h"
 #include "error.h"
 #include "hamaker/forms.h"
 #include "hamaker/range_of_validity.h"
 #include "lammps.h"
-#include "message.h"
 #include "named_table.h"
-#include "plausible_sizes.h"
 #include "sphere.h"
 
 namespace LAMMPS_NS {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "walls_from_script.h"
+#include "input/walls_from_script.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "domain.h"
 #include "error.h"
-#include "law_from_script.h"
+#include "input/law_from_script.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cohesive_contact_from_script.h"
 #include "comm.h"
+#include "input/cohesive_contact_from_script.h"
 
 namespace LAMMPS_NS {
 

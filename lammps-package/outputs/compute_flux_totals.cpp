@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "compute_flux_totals.h"
+#include "outputs/compute_flux_totals.h"
 
 #include "error.h"
 #include "memory.h"

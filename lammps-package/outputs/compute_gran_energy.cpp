@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "compute_gran_energy.h"
+#include "outputs/compute_gran_energy.h"
 
 #include <algorithm>
 #include <vector>
@@ -7,11 +7,11 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact_solver/pair_motion.h"
+#include "contact_step/fix_contact_step.h"
 #include "domain.h"
 #include "energy_tally.h"
+#include "engine/gravity.h"
 #include "error.h"
-#include "fix_contact_step.h"
-#include "gravity.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

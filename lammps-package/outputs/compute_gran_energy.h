@@ -10,9 +10,9 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 
 #include <memory>
 
+#include "common/energy_tally_of_runs.h"
 #include "compute.h"
 #include "energy_tally.h"
-#include "energy_tally_of_runs.h"
 
 namespace LAMMPS_NS {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "compute_gran_stress.h"
+#include "outputs/compute_gran_stress.h"
 
 #include <algorithm>
 
-#include "cohesion_laws.h"
 #include "comm.h"
+#include "contact_step/fix_contact_step.h"
+#include "engine/pair_members.h"
 #include "error.h"
-#include "fix_contact_step.h"
-#include "pair_members.h"
+#include "soft_contacts/cohesion_laws.h"
 
 using namespace LAMMPS_NS;
 

@@ -10,8 +10,8 @@ ComputeStyle(gran/stress,ComputeGranStress);
 
 #include <memory>
 
-#include "compute_flux_totals.h"
 #include "contact_solver/flux_parts.h"
+#include "outputs/compute_flux_totals.h"
 
 namespace LAMMPS_NS {
 

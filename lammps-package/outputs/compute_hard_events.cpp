@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "compute_hard_events.h"
+#include "outputs/compute_hard_events.h"
 
 #include <algorithm>
 
 #include "error.h"
-#include "fix_hard_events.h"
+#include "hard_spheres/fix_hard_events.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "compute_hard_stress.h"
+#include "outputs/compute_hard_stress.h"
 
-#include "fix_hard_events.h"
+#include "hard_spheres/fix_hard_events.h"
 
 using namespace LAMMPS_NS;
 

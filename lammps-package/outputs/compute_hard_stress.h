@@ -8,7 +8,7 @@ ComputeStyle(hard/stress,ComputeHardStress);
 #ifndef LMP_COMPUTE_HARD_STRESS_H
 #define LMP_COMPUTE_HARD_STRESS_H
 
-#include "compute_flux_totals.h"
+#include "outputs/compute_flux_totals.h"
 
 namespace LAMMPS_NS {
 

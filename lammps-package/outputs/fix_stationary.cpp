@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_stationary.h"
+#include "outputs/fix_stationary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 
 #include "arg_info.h"
 #include "comm.h"
+#include "common/given_keywords.h"
 #include "error.h"
-#include "given_keywords.h"
 #include "group.h"
 #include "input.h"
-#include "law_from_script.h"
+#include "input/law_from_script.h"
 #include "modify.h"
 #include "named_table.h"
 #include "timer.h"

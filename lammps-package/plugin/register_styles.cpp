@@ -4,29 +4,29 @@
 #include <string>
 #include <string_view>
 
+#include "attraction/fix_wall_hamaker.h"
+#include "attraction/pair_hamaker.h"
+#include "bubbles/fix_bubbles.h"
 #include "cohesion_version.h"
-#include "compute_gran_energy.h"
-#include "compute_gran_stress.h"
-#include "compute_hard_events.h"
-#include "compute_hard_stress.h"
-#include "compute_shear_profile.h"
-#include "engine_api.h"
-#include "fix_agglomerates.h"
-#include "fix_bubbles.h"
-#include "fix_contact_step.h"
-#include "fix_deform_shear.h"
-#include "fix_drive.h"
-#include "fix_gas_coupling.h"
-#include "fix_hard_events.h"
-#include "fix_stationary.h"
-#include "fix_wall_gran_styles.h"
-#include "fix_wall_hamaker.h"
-#include "fix_wall_hard_square_well.h"
+#include "common/compute_shear_profile.h"
+#include "common/engine_api.h"
+#include "common/fix_agglomerates.h"
+#include "common/fix_deform_shear.h"
+#include "common/fix_drive.h"
+#include "common/fix_gas_coupling.h"
+#include "contact_step/fix_contact_step.h"
+#include "hard_spheres/fix_hard_events.h"
+#include "hard_spheres/fix_wall_hard_square_well.h"
+#include "hard_spheres/pair_hard_square_well.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
-#include "pair_gran_styles.h"
-#include "pair_hamaker.h"
-#include "pair_hard_square_well.h"
+#include "outputs/compute_gran_energy.h"
+#include "outputs/compute_gran_stress.h"
+#include "outputs/compute_hard_events.h"
+#include "outputs/compute_hard_stress.h"
+#include "outputs/fix_stationary.h"
+#include "soft_contacts/fix_wall_gran_styles.h"
+#include "soft_contacts/pair_gran_styles.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -55,7 +55,7 @@ COHESION_PAIR_LAWS(COHESION_SAME_NAME)
 constexpr PairRow pairs[] = {
 #define PAIR_CLASS
 #define PairStyle(name, Style) {#name, &make_pair<Style>},
-#include "pair_gran_styles.h"
+#include "soft_contacts/pair_gran_styles.h"
 #undef PAIR_CLASS
     {"hamaker", &make_pair<PairHamaker>},
     {"hard/square_well", &make_pair<PairHardSquareWell>},
@@ -77,7 +77,7 @@ constexpr Row fixes[] = {
     {"stationary", &make<FixStationary>},
 #define FIX_CLASS
 #define FixStyle(name, Style) {#name, &make<Style>},
-#include "fix_wall_gran_styles.h"
+#include "soft_contacts/fix_wall_gran_styles.h"
 #undef FIX_CLASS
     {"wall/hamaker", &make<FixWallHamaker>},
     {"wall/hard/square_well", &make<FixWallHardSquareWell>},

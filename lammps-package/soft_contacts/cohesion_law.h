@@ -6,7 +6,7 @@
 #include <string>
 
 #include "advice/stiffness_scaling.h"
-#include "cohesive_contact_from_script.h"
+#include "input/cohesive_contact_from_script.h"
 
 namespace LAMMPS_NS {
 

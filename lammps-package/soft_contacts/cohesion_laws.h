@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "hamaker_cohesion.h"
-#include "jkr_cohesion.h"
-#include "liquid_bridge_cohesion.h"
-#include "square_well_cohesion.h"
+#include "soft_contacts/hamaker_cohesion.h"
+#include "soft_contacts/jkr_cohesion.h"
+#include "soft_contacts/liquid_bridge_cohesion.h"
+#include "soft_contacts/square_well_cohesion.h"
 
 // The laws of cohesion: from these rows come the pair styles, the fixes of walls, their explicit
 // instantiations and their names in messages. ROW(style, law).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "contact_advice.h"
+#include "soft_contacts/contact_advice.h"
 
 #include <mpi.h>
 
@@ -7,21 +7,21 @@
 #include <cmath>
 #include <limits>
 
-#include "announced_particles.h"
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
+#include "common/box_shear.h"
+#include "common/several_neighbours.h"
 #include "contact/contact_parameters.h"
 #include "domain.h"
+#include "engine/announced_particles.h"
+#include "engine/gravity.h"
+#include "engine/mobile_particles.h"
 #include "error.h"
 #include "fix.h"
-#include "gravity.h"
-#include "law_from_script.h"
-#include "mobile_particles.h"
+#include "input/law_from_script.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "several_neighbours.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_wall_gran_cohesive.h"
+#include "soft_contacts/fix_wall_gran_cohesive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,17 +7,17 @@
 #include <numeric>
 
 #include "atom.h"
-#include "cohesion_laws.h"
 #include "comm.h"
+#include "common/plausible_sizes.h"
 #include "domain.h"
+#include "engine/flight_report.h"
+#include "engine/largest_radii.h"
+#include "engine/particles_at_walls.h"
 #include "error.h"
-#include "flight_report.h"
-#include "largest_radii.h"
+#include "input/walls_from_script.h"
 #include "neighbor.h"
-#include "particles_at_walls.h"
-#include "plausible_sizes.h"
+#include "soft_contacts/cohesion_laws.h"
 #include "update.h"
-#include "walls_from_script.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;

@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "atom.h"
-#include "cohesive_contact_from_script.h"
-#include "contact_advice.h"
-#include "contact_forces.h"
+#include "common/guarded.h"
 #include "contact_solver/exact_contact.h"
 #include "contact_solver/wall.h"
+#include "contact_step/contact_forces.h"
+#include "contact_step/fix_contact_step.h"
 #include "fix.h"
-#include "fix_contact_step.h"
-#include "guarded.h"
+#include "input/cohesive_contact_from_script.h"
 #include "sampled_contact/sampled_contact.h"
+#include "soft_contacts/contact_advice.h"
+#include "soft_contacts/wall_forces.h"
+#include "soft_contacts/wall_history.h"
 #include "update.h"
-#include "wall_forces.h"
-#include "wall_history.h"
 
 namespace LAMMPS_NS {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "atom.h"
-#include "cohesion_laws.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_wall_gran_cohesive.h"
-#include "restart_format.h"
-#include "wall_course_in_restart.h"
+#include "input/restart_format.h"
+#include "input/wall_course_in_restart.h"
+#include "soft_contacts/cohesion_laws.h"
+#include "soft_contacts/fix_wall_gran_cohesive.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;

@@ -11,8 +11,8 @@ COHESION_CONTACT_LAWS(COHESION_FIX_STYLE)
 #define LMP_FIX_WALL_GRAN_STYLES_H
 
 // fix wall/gran/..., a row each in cohesion_laws.h; doc: docs/lammps-package/fix_wall_gran_*.md
-#include "cohesion_laws.h"
-#include "fix_wall_gran_cohesive.h"
+#include "soft_contacts/cohesion_laws.h"
+#include "soft_contacts/fix_wall_gran_cohesive.h"
 
 #endif
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "hamaker_cohesion.h"
+#include "soft_contacts/hamaker_cohesion.h"
 
-#include "hamaker_keywords.h"
-#include "material_keywords.h"
+#include "input/hamaker_keywords.h"
+#include "input/material_keywords.h"
 
 using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;

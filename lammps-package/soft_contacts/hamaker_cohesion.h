@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "advice/known_materials.h"
-#include "cohesion_law.h"
+#include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
 #include "hamaker/forms.h"
-#include "plausible_sizes.h"
 #include "sampled_contact/sampled_hamaker.h"
-#include "scaling_notes.h"
+#include "soft_contacts/cohesion_law.h"
+#include "soft_contacts/scaling_notes.h"
 
 namespace LAMMPS_NS {
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "cohesion_law.h"
 #include "contact/jkr_spring_dashpot.h"
 #include "contact_solver/jkr_solver.h"
-#include "material_keywords.h"
+#include "input/material_keywords.h"
 #include "sampled_contact/sampled_bridge.h"
-#include "scaling_notes.h"
+#include "soft_contacts/cohesion_law.h"
+#include "soft_contacts/scaling_notes.h"
 #include "sphere.h"
 
 namespace LAMMPS_NS {

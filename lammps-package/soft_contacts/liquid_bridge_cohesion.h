@@ -2,10 +2,10 @@
 #ifndef COHESION_LIQUID_BRIDGE_COHESION_H
 #define COHESION_LIQUID_BRIDGE_COHESION_H
 
-#include "cohesion_law.h"
 #include "contact_solver/liquid_bridge_solver.h"
 #include "liquid_bridge/parameters.h"
 #include "sampled_contact/sampled_bridge.h"
+#include "soft_contacts/cohesion_law.h"
 
 namespace LAMMPS_NS {
 

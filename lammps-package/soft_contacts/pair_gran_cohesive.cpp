@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "pair_gran_cohesive.h"
+#include "soft_contacts/pair_gran_cohesive.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "atom.h"
-#include "cohesion_laws.h"
-#include "engine_api.h"
+#include "common/engine_api.h"
+#include "common/plausible_sizes.h"
+#include "contact_step/fix_contact_step.h"
+#include "engine/flight_report.h"
+#include "engine/largest_radii.h"
+#include "engine/special_pairs.h"
 #include "error.h"
-#include "fix_contact_step.h"
-#include "flight_report.h"
 #include "force.h"
-#include "largest_radii.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "plausible_sizes.h"
-#include "special_pairs.h"
+#include "soft_contacts/cohesion_laws.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -7,15 +7,15 @@
 #include <variant>
 #include <vector>
 
-#include "bound_pairs.h"
-#include "close_pairs.h"
-#include "cohesive_coefficients.h"
-#include "contact_advice.h"
-#include "contact_forces.h"
+#include "common/bound_pairs.h"
 #include "contact_solver/exact_contact.h"
+#include "contact_step/close_pairs.h"
+#include "contact_step/contact_forces.h"
+#include "input/cohesive_coefficients.h"
 #include "pair.h"
-#include "pair_history.h"
 #include "sampled_contact/sampled_contact.h"
+#include "soft_contacts/contact_advice.h"
+#include "soft_contacts/pair_history.h"
 #include "update.h"
 
 namespace LAMMPS_NS {

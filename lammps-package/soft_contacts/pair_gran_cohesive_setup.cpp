@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "atom.h"
-#include "cohesion_laws.h"
-#include "distinct_places.h"
-#include "fix_contact_step.h"
+#include "common/distinct_places.h"
+#include "contact_step/fix_contact_step.h"
 #include "neigh_list.h"
-#include "pair_gran_cohesive.h"
+#include "soft_contacts/cohesion_laws.h"
+#include "soft_contacts/pair_gran_cohesive.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;

@@ -4,16 +4,16 @@
 #include <type_traits>
 
 #include "atom.h"
-#include "cohesion_laws.h"
 #include "comm.h"
+#include "common/guarded.h"
+#include "contact_step/fix_contact_step.h"
+#include "engine/flight_report.h"
+#include "engine/largest_radii.h"
 #include "error.h"
-#include "fix_contact_step.h"
-#include "flight_report.h"
-#include "guarded.h"
-#include "largest_radii.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "pair_gran_cohesive.h"
+#include "soft_contacts/cohesion_laws.h"
+#include "soft_contacts/pair_gran_cohesive.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -12,8 +12,8 @@ COHESION_PAIR_LAWS(COHESION_PAIR_STYLE)
 
 // pair_style gran/..., a row each in cohesion_laws.h; doc: docs/lammps-package/pair_gran_*.md,
 // pair_square_well.md
-#include "cohesion_laws.h"
-#include "pair_gran_cohesive.h"
+#include "soft_contacts/cohesion_laws.h"
+#include "soft_contacts/pair_gran_cohesive.h"
 
 #endif
 #endif

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/renumbering.h"
 #include "fix_neigh_history.h"
 #include "modify.h"
-#include "renumbering.h"
 
 namespace LAMMPS_NS {
 

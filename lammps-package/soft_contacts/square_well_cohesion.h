@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "cohesion_law.h"
 #include "contact_solver/square_well_solver.h"
+#include "input/words_of_law.h"
 #include "sampled_contact/sampled_well.h"
+#include "soft_contacts/cohesion_law.h"
 #include "square_well/parameters.h"
-#include "words_of_law.h"
 
 namespace LAMMPS_NS {
 

@@ -2,8 +2,8 @@
 #ifndef COHESION_WALL_HISTORY_H
 #define COHESION_WALL_HISTORY_H
 
-#include "atom_numbers.h"
 #include "contact_solver/wall.h"
+#include "engine/atom_numbers.h"
 
 namespace LAMMPS_NS {
 
