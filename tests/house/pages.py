@@ -16,7 +16,7 @@ SOURCE = Path(sys.argv.pop(1) if len(sys.argv) > 1 else Path(__file__).resolve()
 BUILT = {Path(path).name: Path(path).resolve() for path in sys.argv[1:]}
 del sys.argv[1:]
 
-from cohesion_tests import page_scripts
+from cohesion_tests import page_expected, page_scripts
 from cohesion_tests.page_blocks import Block, kind_of, shell_lines
 
 KINDS = {"syntax", "python", "cmake", "yaml", "lammps", "lammps-part", "liggghts", "liggghts-part", "dictionary", "shell",
@@ -97,6 +97,14 @@ class Pages(unittest.TestCase):
         self.assertEqual([block.place for block, kind in blocks if kind not in KINDS], [])
         self.assertGreater(len(blocks), 150)
 
+    def test_expected_results_are_those_of_scripts(self):
+        texts = {}
+        for block, _ in page_scripts.all_blocks():
+            texts[block.page] = texts.get(block.page, "") + block.text
+        found = {page: [name for name in page_expected.expected(page) if f"{name} = " not in texts.get(page, "")]
+                 for page in page_scripts.pages()}
+        self.assertEqual({page: names for page, names in found.items() if names}, {})
+
     def test_what_no_engine_runs(self):
         checks = {"shell": faults_of_shell, "dictionary": faults_of_dictionary, "yaml": faults_of_yaml,
                   "python": faults_of_python}
@@ -143,6 +151,13 @@ class Rules(unittest.TestCase):
         self.assertEqual(self.kind("communicate single vel yes\ncreate_box 1 box\nrun 10\n"), "liggghts")
         self.assertEqual(self.kind("drag    beetstra;   // the law\n"), "dictionary")
         self.assertEqual(self.kind("  a   b\nx 1 2\ny 3 4\n"), "printed")
+
+    def test_results_out_of_range_or_missing(self):
+        bounds = {"a b": (1, 2)}
+        self.assertEqual(page_expected.faults(bounds, "a b = 3\na b = 1.5\n"), [])
+        self.assertEqual(len(page_expected.faults(bounds, "a b = 2.1\n")), 1)
+        self.assertEqual(page_expected.faults(bounds, "b = 1.5\n"), ["a b: not printed"])
+        self.assertEqual(page_expected.printed_by("print 'a b = 1'", {**bounds, "c": (0, 1)}), bounds)
 
     def test_faults_of_the_shell(self):
         faults = lambda text: faults_of_shell(Block("page.md", 1, "", "", text))
