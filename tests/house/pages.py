@@ -113,10 +113,10 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless(BUILT, "no program was given")
     def test_lines_of_programs_run(self):
-        found, environment = {}, dict(os.environ)
+        found, environment, assigned = {}, dict(os.environ), {}
         environment["PATH"] = ":".join([*sorted({str(path.parent) for path in BUILT.values()}), os.environ["PATH"]])
         for block, kind in page_scripts.all_blocks():
-            before = []
+            before = assigned.setdefault(block.page, [])
             for line in programs_lines(block) if kind == "shell" else []:
                 if re.match(r"\w+=", line):
                     before.append(line)
