@@ -29,7 +29,7 @@ class Pages(CoupledTestCase):
         logs = [output, *(log.read_text() for log in folder.rglob("log.*"))]
         warnings = [line for log in logs for line in log.splitlines()
                     if line.startswith("WARNING") or "in file openfoam-coupling" in line]
-        if session.files():  # cases of cohesion-powder have fewer digits, and say so
+        if not any("cohesion-powder" in line for line in session.commands()):  # its cases have fewer digits, and say so
             self.expect_equal("warnings", warnings, [])
         said = {" ".join(line.split()) for log in logs for line in log.splitlines()}
         self.expect_equal("lines that nothing printed", [x for x in session.printed() if x not in said], [])
