@@ -105,6 +105,11 @@ class Pages(unittest.TestCase):
                  for page in page_scripts.pages()}
         self.assertEqual({page: names for page, names in found.items() if names}, {})
 
+    def test_pages_of_tasks_are_short(self):
+        tasks = [page for page in sorted((SOURCE / "docs/how-to").glob("*.md")) if page.name != "README.md"]
+        words = {page.name: len(page.read_text().split()) for page in tasks}
+        self.assertEqual({name: count for name, count in words.items() if not 250 <= count <= 700}, {})
+
     def test_what_no_engine_runs(self):
         checks = {"shell": faults_of_shell, "dictionary": faults_of_dictionary, "yaml": faults_of_yaml,
                   "python": faults_of_python}
