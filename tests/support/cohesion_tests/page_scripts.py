@@ -108,8 +108,8 @@ def with_properties(script):
 
 
 def scripts(engine, default):
-    """Place and texts of all scripts of an engine, `lammps` or `liggghts`: before one that reads a file, all complete ones
-    above it on its page. default: the page whose script is around parts of pages that have none."""
+    """Place and texts of all scripts of an engine, `lammps` or `liggghts`: before one that reads a file, all complete
+    ones above it on its page. default: the page whose script is around parts of pages that have none."""
     found = [(block, kind) for block, kind in all_blocks() if kind in (engine, engine + "-part")]
     whole = {}
     for block, kind in found:
