@@ -18,6 +18,7 @@ SECTIONS = (
     ("Getting started", ("docs/getting-started/first-dem-script.md", "docs/getting-started/first-dem-script-liggghts.md",
                          "docs/getting-started/first-coupled-bed.md", "docs/getting-started/*.md",
                          "docs/terminology.md")),
+    ("How-to", ("docs/how-to/README.md", "docs/how-to/*.md")),
     ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
              "docs/costs.md")),
     ("Examples", ("gallery.md", "examples/*/README.md", "examples/*/studies.md")),

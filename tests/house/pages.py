@@ -2,7 +2,7 @@
 """pages.py SOURCE_DIR [PROGRAM ...]: every code block of every page is of a known kind (docs/contributing_pages.md),
 and what no engine runs is tried as far as it can be: lines of the shell by their syntax, the files and options that
 they name, those of the programs given by running them; dictionaries by their braces, YAML and Python by their syntax.
-Scripts of the engines are run by lammps.*.pages and liggghts.pages, the Python of READMEs by tests of its own."""
+Scripts of the engines are run by lammps.*.pages and liggghts.pages, the Python of docs/how-to by tests of its own."""
 import ast
 import os
 import re
@@ -16,7 +16,7 @@ SOURCE = Path(sys.argv.pop(1) if len(sys.argv) > 1 else Path(__file__).resolve()
 BUILT = {Path(path).name: Path(path).resolve() for path in sys.argv[1:]}
 del sys.argv[1:]
 
-from cohesion_tests import page_scripts
+from cohesion_tests import page_expected, page_scripts
 from cohesion_tests.page_blocks import Block, kind_of, shell_lines
 
 KINDS = {"syntax", "python", "cmake", "yaml", "lammps", "lammps-part", "liggghts", "liggghts-part", "dictionary", "shell",
@@ -97,6 +97,19 @@ class Pages(unittest.TestCase):
         self.assertEqual([block.place for block, kind in blocks if kind not in KINDS], [])
         self.assertGreater(len(blocks), 150)
 
+    def test_expected_results_are_those_of_scripts(self):
+        texts = {}
+        for block, _ in page_scripts.all_blocks():
+            texts[block.page] = texts.get(block.page, "") + block.text
+        found = {page: [name for name in page_expected.expected(page) if f"{name} = " not in texts.get(page, "")]
+                 for page in page_scripts.pages()}
+        self.assertEqual({page: names for page, names in found.items() if names}, {})
+
+    def test_pages_of_tasks_are_short(self):
+        tasks = [page for page in sorted((SOURCE / "docs/how-to").glob("*.md")) if page.name != "README.md"]
+        words = {page.name: len(page.read_text().split()) for page in tasks}
+        self.assertEqual({name: count for name, count in words.items() if not 250 <= count <= 700}, {})
+
     def test_what_no_engine_runs(self):
         checks = {"shell": faults_of_shell, "dictionary": faults_of_dictionary, "yaml": faults_of_yaml,
                   "python": faults_of_python}
@@ -105,10 +118,10 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless(BUILT, "no program was given")
     def test_lines_of_programs_run(self):
-        found, environment = {}, dict(os.environ)
+        found, environment, assigned = {}, dict(os.environ), {}
         environment["PATH"] = ":".join([*sorted({str(path.parent) for path in BUILT.values()}), os.environ["PATH"]])
         for block, kind in page_scripts.all_blocks():
-            before = []
+            before = assigned.setdefault(block.page, [])
             for line in programs_lines(block) if kind == "shell" else []:
                 if re.match(r"\w+=", line):
                     before.append(line)
@@ -143,6 +156,13 @@ class Rules(unittest.TestCase):
         self.assertEqual(self.kind("communicate single vel yes\ncreate_box 1 box\nrun 10\n"), "liggghts")
         self.assertEqual(self.kind("drag    beetstra;   // the law\n"), "dictionary")
         self.assertEqual(self.kind("  a   b\nx 1 2\ny 3 4\n"), "printed")
+
+    def test_results_out_of_range_or_missing(self):
+        bounds = {"a b": (1, 2)}
+        self.assertEqual(page_expected.faults(bounds, "a b = 3\na b = 1.5\n"), [])
+        self.assertEqual(len(page_expected.faults(bounds, "a b = 2.1\n")), 1)
+        self.assertEqual(page_expected.faults(bounds, "b = 1.5\n"), ["a b: not printed"])
+        self.assertEqual(page_expected.printed_by("print 'a b = 1'", {**bounds, "c": (0, 1)}), bounds)
 
     def test_faults_of_the_shell(self):
         faults = lambda text: faults_of_shell(Block("page.md", 1, "", "", text))

@@ -15,15 +15,16 @@ def with_plugin(script):
     return re.sub(r"(?m)^(\s*plugin\s+load\s+).*$", lambda match: match[1] + lammps.plugin(), script)
 
 
-def fault(place, script):
-    """What the engine says against a script; warnings of whole ones count."""
+def fault(place, *scripts):
+    """What the engine says against the last of scripts that run in one folder; warnings of whole ones count, and
+    results that the page does not expect."""
     with lammps.temporary_folder() as folder:
-        code, output = lammps.run_text(with_plugin(script), folder, environment={"OMP_NUM_THREADS": "1"})
+        for script in scripts:
+            code, output = lammps.run_text(with_plugin(script), folder, environment={"OMP_NUM_THREADS": "1"})
     errors = re.findall(r"(?m)^ERROR.*", output)
     if code != 0 or errors:
         return (errors or [output[-500:]])[0]
-    warnings = [] if " part " in place else re.findall(r"(?m)^WARNING.*", output)
-    return warnings[0] if warnings else None
+    return page_scripts.fault_of_output(place, scripts[-1], output)
 
 
 class Pages(unittest.TestCase):
@@ -56,12 +57,12 @@ class Rules(unittest.TestCase):
         return next(block.text for block, kind in page_scripts.all_blocks() if kind == "lammps" and block.page == DEFAULT)
 
     def test_a_wrong_line_is_found(self):
-        self.assertIsNone(fault("page.md:1", self.whole()))
+        self.assertIsNone(fault(f"{DEFAULT}:1", self.whole()))
         for wrong in ("newton off", "comm_modify vel yes"):
             spaced = re.sub(r"\s+", r"\\s+", wrong)
             script = re.sub(rf"(?m)^{spaced}\n", "", self.whole())
             self.assertNotEqual(script, self.whole())
-            self.assertIsNotNone(fault("page.md:1", script), wrong)
+            self.assertIsNotNone(fault(f"{DEFAULT}:1", script), wrong)
 
     def test_a_wrong_part_is_found(self):
         self.assertIn("stifness", fault("page.md:1 part 1", page_scripts.framed("pair_coeff * * stifness 800", self.whole())))

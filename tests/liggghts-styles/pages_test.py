@@ -11,17 +11,18 @@ DEFAULT = "docs/liggghts-styles/gran_cohesion_hamaker.md"
 PAGES = "docs/liggghts-styles"
 
 
-def fault(place, script):
-    """What the engine says against a script; warnings of whole ones count."""
+def fault(place, *scripts):
+    """What the engine says against the last of scripts that run in one folder; warnings of whole ones count, and
+    results that the page does not expect."""
     if " part " in place:
-        script = page_scripts.with_properties(script)
+        scripts = [page_scripts.with_properties(script) for script in scripts]
     with lammps.temporary_folder() as folder:
-        code, output = lammps.run_text(script, folder, lmp=os.environ["COHESION_LAUNCHER"])
+        for script in scripts:
+            code, output = lammps.run_text(script, folder, lmp=os.environ["COHESION_LAUNCHER"])
     errors = re.findall(r"(?m)^ERROR.*", output)
     if code != 0 or errors:
         return (errors or [output[-500:]])[0]
-    warnings = [] if " part " in place else re.findall(r"(?m)^WARNING.*", output)
-    return warnings[0] if warnings else None
+    return page_scripts.fault_of_output(place, scripts[-1], output)
 
 
 class Pages(unittest.TestCase):

@@ -7,6 +7,7 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from cohesion_tests import page_expected
 from cohesion_tests.page_blocks import blocks, kind_of, logical_lines
 
 SOURCE = Path(__file__).resolve().parents[3]
@@ -18,6 +19,7 @@ BEFORE_PARTICLES = {"atom_style", "boundary", "comm_modify", "communicate", "cre
 #: Of LIGGGHTS' normal and rolling models, for parts that choose another than the script around them.
 PROPERTIES = {"youngsModulus": "peratomtype", "poissonsRatio": "peratomtype", "coefficientRestitution": "peratomtypepair",
               "coefficientRollingFriction": "peratomtypepair", "coefficientRollingViscousDamping": "peratomtypepair"}
+READS = re.compile(r"^read_(restart|data|dump)\s", re.MULTILINE)
 PROPERTY_VALUE = {"youngsModulus": 5e6, "poissonsRatio": 0.25, "coefficientRestitution": 0.9}
 
 
@@ -106,27 +108,37 @@ def with_properties(script):
 
 
 def scripts(engine, default):
-    """Place and text of all scripts of an engine, `lammps` or `liggghts`. default: the page whose script is around
-    parts of pages that have none."""
+    """Place and texts of all scripts of an engine, `lammps` or `liggghts`: before one that reads a file, all complete
+    ones above it on its page. default: the page whose script is around parts of pages that have none."""
     found = [(block, kind) for block, kind in all_blocks() if kind in (engine, engine + "-part")]
     whole = {}
     for block, kind in found:
         if kind == engine:
-            whole.setdefault(block.page, block.text)
+            whole.setdefault(block.page, []).append(block.text)
     for block, kind in found:
         if kind == engine:
-            yield block.place, block.text
+            above = whole[block.page][:whole[block.page].index(block.text)] if READS.search(block.text) else []
+            yield block.place, [*above, block.text]
             continue
         if re.search(r"^create_box\s", block.text, re.MULTILINE):
             # The particles of a coupled case: the solver sets its variables and runs it.
-            yield block.place, f"variable dt index 1e-5\n{block.text}\nrun 0\n"
+            yield block.place, [f"variable dt index 1e-5\n{block.text}\nrun 0\n"]
             continue
         for number, part in enumerate(parts(block.text)):
-            yield f"{block.place} part {number + 1}", framed(part, whole.get(block.page, whole[default]))
+            yield f"{block.place} part {number + 1}", [framed(part, whole.get(block.page, whole[default])[0])]
+
+
+def fault_of_output(place, script, output):
+    """The first warning of a complete script, or result that its page does not expect."""
+    if " part " in place:
+        return None
+    results = page_expected.printed_by(script, page_expected.expected(place.split(":")[0]))
+    return next(iter(re.findall(r"^WARNING.*", output, re.MULTILINE) + page_expected.faults(results, output)), None)
 
 
 def run_all(cases, run):
-    """What run(place, script) says of each case that it finds fault with, two at a time; runs in folders of their own."""
+    """What run(place, *scripts) says of each case that it finds fault with, two at a time; each case in a folder of its
+    own."""
     with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
-        said = list(pool.map(lambda case: (case[0], run(*case)), cases))
+        said = list(pool.map(lambda case: (case[0], run(case[0], *case[1])), cases))
     return {place: fault for place, fault in said if fault}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python scripts that a README shows."""
+"""The Python scripts that a page shows."""
 import re
 import textwrap
 
