@@ -29,53 +29,44 @@ from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, s
 
 RIGHT = 0.01  # of the first slip
 FINER = 8
-# Of the uniform scene. More viscous gas throws light spheres about (PAGE). Its drag is above a linear one by 0.05 %
-# (eps 0.3) to 0.44 % (eps 0.9999) at the first slip, by the closure; of a slip that falls as exp(-y) that is at most
-# 0.0044 y exp(-y) < 0.0017: a sixth of RIGHT.
+# Of the uniform scene. More viscous gas throws light spheres about (docs/theory/waves.md). Its drag is above a linear
+# one by 0.05 % (eps 0.3) to 0.44 % (eps 0.9999) at the first slip, by the closure; of a slip that falls as exp(-y)
+# that is at most 0.0044 y exp(-y) < 0.0017: a sixth of RIGHT.
 REYNOLDS = 0.1
-PAGE = """# Stability of the coupling
+PAGE = """# Errors of the coupling by drag, density and cells
 
-Written by `benchmarks/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each,
-in periodic boxes without gravity. A gas step has five particle steps.
+`benchmarks/openfoam-coupling/stability_table.py BUILD WORK --table FILE` writes this page. Each row is runs of the
+solver over 20 gas steps of five particle steps, in periodic boxes without gravity.
+[Stability](../openfoam-coupling/stability.md) lists the limits, and [waves](../theory/waves.md) derives them.
 
-- *uniform*: gas blown through spheres that are free to move. Largest error of the velocities of gas and particles over
-  the steps, and that at the end, as shares of the slip at the start, against the exact solution.
-- *layer*: the same spheres in the lower half of a box four times as high. The gas blows them along, through all
-  cells. Largest error of the mean velocity of the particles and of the flux of the gas, and that at the end, as shares
-  of the gas's first velocity, against the same with steps an eighth as long; *energy*: by how much the kinetic
-  energy of gas and particles is above the first, of that; drag and viscosity only take from it.
+- Dense particles heavier than the gas by 100 or more are right, or right after the first steps, at any stiffness.
+- Light or dilute particles need `response free`, or gas steps shorter than m/b. The solver warns.
+- Light free spheres in form A at a Courant number of 5 are thrown out of the box (*crashed*) or gain energy. The solver
+  warns.
 
-x is the gas step over the time in which particles follow the gas, m/b; R the mass of the particles over that of the
-gas. *right*: all errors below 0.01. *first order*: larger ones in some steps, of implicit steps about as long as what
-they resolve, and below 0.01 at the end. *off*: by so much at the end, too; so is the reference where its own energy
-is more than 0.01 above the first. *warned*: the solver said that the gas
-step is too long, or what would grow in it. *refused*: it stopped, and said why. *unstable*: an error is no number, or
-the energy is more than 0.01 above the first. *crashed*: it ended in another way, with the engine's reason or the last
-words of the solver; "Lost atoms" are spheres that were thrown out of the box. Waves of free particles do that
-([waves](waves.md)), of dense ones that follow the gas within a step in either form, of light ones in form A.
+| scene | content | errors |
+|---|---|---|
+| *uniform* | gas blown through free spheres | velocities of gas and particles over the slip at the start, compared with the exact solution |
+| *layer* | the same spheres in the lower half of a box four times as high; the gas blows them along | mean velocity of the particles and flux of the gas over the first velocity of the gas, compared with steps an eighth as long; *energy*: kinetic energy above that at the start |
 
-## Light spheres in viscous gas
+x is the gas step over m/b, R the mass of the particles over that of the gas.
 
-In form A a wave of free particles displaces gas, and the pressure that moves the gas moves the particles, a step
-late. Light ones move in waves that grow where the gas's viscosity reaches over cells within its step: law, warning and
-what was found are in [waves](waves.md). In the bed of `examples/fluidised-bed` nu dt/h^2 is 7e-4 and
-kappa 7e-4, far below. The gas of the uniform scene has nu dt/h^2 = 0.6 at cells of three diameters and a Courant
-number of 0.2, and goes with that number; its drag is linear to 0.05 to 0.44 %, an error below 0.0017.
+| verdict | meaning |
+|---|---|
+| right | all errors below 0.01 |
+| first order | larger errors in some steps, below 0.01 at the end |
+| off | larger errors at the end, too; *so is the reference* where its energy exceeds that at the start by 0.01 |
+| unstable | no number, or more than 0.01 of energy gained |
+| refused | the solver stopped with an error |
+| crashed | the run ended otherwise, with the error of the engine; "Lost atoms" are spheres outside the box |
+| warned | the solver warned of the gas step or of waves |
 
-## What is off without a warning
+Two reasons make rows *off* without a warning:
 
-Two reasons, told apart by layers with steps up to a sixteenth as long (`finer` of `free_spheres.py`):
-
-- *Implicit steps that have not yet made up for it*: stiffness 1, rho_s/rho_g 10, with either response. The flux of
-  the gas still falls at the end of 20 steps. It is 0.2196, 0.2330, 0.2351 and 0.2361 there with steps of 1, 1/4, 1/8
-  and 1/16: first order in the step. The number that says so is the stiffness, beta dt/(eps rho_g), as in all rows
-  that are *first order*.
-- *Planes of the lattice that cross from cell to cell*: stiffness 0.01 and 1, rho_s/rho_g 1. Spheres as light as the
-  gas swing with what the cells see of them. With stiffness 1 the velocity of the particles goes up and down every
-  other step of the table, by some 0.1 with steps of 1 and 0.05 with a sixteenth of it: the time in which planes, a
-  third of a cell apart, follow each other. With stiffness 0.01 it is 0.76, 0.89, 0.97, 1.09 and 1.07 at the end with
-  steps of 1, 1/2, 1/4, 1/8 and 1/16, and the energy 0.10 above the first with the last two. No gas step cures that;
-  kappa = 0.61 says that it matters: the gas that the spheres displace is as heavy as they are.
+- *Implicit steps*: stiffness 1, rho_s/rho_g 10. The flux of the gas still changes at the end; it converges with the
+  first order of the step.
+- *Lattice planes that cross cell faces*: rho_s/rho_g 1. Spheres as light as the gas follow the pressure of the cells.
+  Shorter steps do not remove it.
 """
 HEAD = ("| beta dt/(eps rho_g) | eps | rho_s/rho_g | cell/d | CFL | kernel | R | x | uniform: largest | end | layer:"
         " largest | end | energy | verdict |\n" + "|---" * 14 + "|")
@@ -124,7 +115,8 @@ def guarded(work, name, action):
         return action()
     except CaseError as error:
         text = " ".join(str(error).split())
-        said = re.search(r"cells have a void fraction below minVoidFraction|FOAM FATAL.{,200}", text)
+        said = re.search(r"cells have a void fraction below minVoidFraction", text)
+        said = said or re.search(r"FOAM FATAL.{,200}", text)
         logs = [Path(work, name, f"log.{program}") for program in ("cohesiveBedFoam", "lammps")]
         log, engine = (file.read_text() if file.exists() else "" for file in logs)
         # The reason of an engine that gives up stands in its own log; else the last words, whatever they are.
@@ -204,7 +196,7 @@ def page(lines, before):
         new = [line for line in lines if line.startswith(start)]
         rows += new or [line for line in before.splitlines() if line.startswith(start)]
         news += bool(new)
-    text = f"The rows here are {len(rows)} of the {len(settings())} that the program has, "
+    text = f"{len(rows)} of the {len(settings())} rows of the program, "
     text += "one run." if news == len(rows) else f"{news} of them run after the others."
     return "\n".join([PAGE, text + "\n", HEAD, *rows]) + "\n"
 

@@ -7,9 +7,9 @@ other, without gravity: by the solver, and by the eigenvalues of a step of the w
     wave_growth.py BUILD WORK [--spheres N] [--cells WIDE HIGH] [--steps N] [--form B]
                    [--case EPS RATIO M ENGINE_STEPS STIFFNESS]
 
-M: 4 nu dt/h^2, of waves in one direction. STIFFNESS: beta dt/(eps rho_g). RATIO: of the densities. Without --case the
-cases of docs/openfoam-coupling/waves.md that have no drag; each takes some 20 s. The growth printed is the
-mean of the last 20 steps. With stiff drag the eigenvalues say nothing: see free_waves.py, whose spheres stand in
+M: 4 nu dt/h^2, of waves in one direction. STIFFNESS: beta dt/(eps rho_g). RATIO: of the densities. Without --case it
+runs cases without drag; each takes some 20 s. The growth printed is the mean of the last 20 steps. Conclusions:
+docs/verification/coupled_flow.md. With stiff drag the eigenvalues say nothing: see free_waves.py, whose spheres stand in
 columns."""
 
 import argparse

@@ -21,7 +21,7 @@ SECTIONS = (
     ("How-to", ("docs/how-to/README.md", "docs/how-to/*.md")),
     ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
              "docs/costs.md")),
-    ("Examples", ("gallery.md", "examples/*/README.md", "examples/*/studies.md")),
+    ("Examples", ("gallery.md", "examples/README.md", "examples/*/README.md", "examples/*/studies.md")),
     ("Indexes", ("styles.md", "entries.md")),
     ("LAMMPS", ("lammps-package/README.md", "docs/lammps-package/*.md")),
     ("LIGGGHTS", ("liggghts-styles/README.md", "docs/liggghts-styles/*.md")),
@@ -152,7 +152,7 @@ def expected_of(folder):
 def gallery(site):
     text = "# Examples\n\nMade from the examples' own pages and tables of expected figures.\n"
     for page in site.pages:
-        if page.parts[0] != "examples" or page.name != "README.md":
+        if page.parts[0] != "examples" or page.name != "README.md" or len(page.parts) != 3:
             continue
         whole = joined((site.source / page).read_text())
         picture = re.search(r"!\[[^\]]*\]\([^)]*\)", whole)

@@ -104,7 +104,7 @@ class Example(unittest.TestCase):
         rows = {line.split()[0]: line.split() for line in text.split("\n\n")[0].splitlines()}
         found = {name: dict(zip(words[1::2], map(float, words[2::2]))) for name, words in rows.items()}
         self.assertGreater(found["law"]["of"], 0)
-        # At six spacings a sphere is 1 % off, pairs 3 %: docs/tools/array-drag.md
+        # At six spacings a sphere is 1 % off, pairs 3 %: examples/agglomerate-drag/README.md
         self.assertAlmostEqual(found["chain-1"]["radius"], 1, delta=0.02)
         self.assertAlmostEqual(found["chain-2"]["along"] / 1.29, 1, delta=0.05)
         self.assertAlmostEqual(found["chain-2"]["across"] / 1.45, 1, delta=0.05)

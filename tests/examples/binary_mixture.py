@@ -88,7 +88,7 @@ class SmallBed(unittest.TestCase):
 
     def test_packed_bed_is_between_the_limits_of_its_closure(self):
         """But for what the void fraction at a sphere, the mean of its cells, has not of the cells' scatter: 2 %, that of
-        docs/openfoam-coupling/void_fraction.md for a random packing in such cells twice over, as half of these are at
+        docs/verification/void_fraction.md for a random packing in such cells twice over, as half of these are at
         walls."""
         self.assertLess(self.of_packed["drop_over_straight_flow"], 1)
         self.assertGreater(self.of_packed["drop_over_free_flow"], 0.98)

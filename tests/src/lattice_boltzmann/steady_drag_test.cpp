@@ -27,7 +27,7 @@ double coefficient(const Array& array, const Course& course) {
 }  // namespace
 
 // Zick and Homsy (1982), table 2, simple cubic, within the 1 % that is asked of 24 spacings to a
-// diameter; here there are 10 to 12. The other fractions: docs/tools/array-drag.md.
+// diameter; here there are 10 to 12. The other fractions: examples/array-drag/README.md.
 TEST(SteadyDrag, SimpleCubicIsThatOfZickAndHomsy) {
   EXPECT_NEAR(coefficient(cubic_array(sc, 0.216, 10.0), slow(0.3)) / 7.442, 1.0, 0.01);
   EXPECT_NEAR(coefficient(cubic_array(sc, 0.45, 12.0), slow(0.3)) / 28.1, 1.0, 0.01);
