@@ -12,6 +12,7 @@
 #include "drag/ergun_rowe_henwood.h"
 #include "drag/ergun_wen_yu.h"
 #include "drag/hill_koch_ladd.h"
+#include "drag/rong.h"
 #include "drag/syamlal_obrien.h"
 #include "drag/tang.h"
 #include "drag/tenneti.h"
@@ -57,9 +58,9 @@ inline constexpr Closure row<Law, std::void_t<decltype(Law::no_exponent)>>{
     Law::name, &Law::per_solid_volume, Law::validity, nullptr, Law::no_exponent};
 
 inline constexpr std::array closures{
-    row<SyamlalOBrien>, row<ErgunWenYu>,   row<ErgunRoweHenwood>,
-    row<DiFelice>,      row<HillKochLadd>, row<Beetstra>,
-    row<Tenneti>,       row<Tang>,         row<WenYu>,
+    row<SyamlalOBrien>, row<ErgunWenYu>, row<ErgunRoweHenwood>, row<DiFelice>,
+    row<HillKochLadd>,  row<Beetstra>,   row<Tenneti>,          row<Tang>,
+    row<WenYu>,         row<Rong>,
 };
 
 /// Where a closure of one coefficient holds: nowhere it says that it does not.

@@ -124,6 +124,16 @@ def tang(m, eps, slip, d, rho, mu):
     return 3 * m.pi * mu * d * velocity * scaled / slip / (m.pi / 6 * d**3)
 
 
+def rong(m, eps, slip, d, rho, mu):
+    n = m.mpf
+    velocity = eps * slip
+    reynolds = velocity * d * rho / mu
+    coefficient = (n("0.63") + n("4.8") / m.sqrt(reynolds)) ** 2
+    chi = (n("2.65") * (eps + 1)
+           - (n("5.3") - n("3.5") * eps) * eps**2 * m.exp(-((n("1.5") - m.log10(reynolds)) ** 2) / 2))
+    return m.pi / 8 * coefficient * rho * d**2 * velocity**2 * eps**-chi / slip / (m.pi / 6 * d**3)
+
+
 CLOSURES = {
     "syamlalOBrien": syamlal_obrien,
     "ergunWenYu": ergun_wen_yu,
@@ -134,4 +144,5 @@ CLOSURES = {
     "tenneti": tenneti,
     "tang": tang,
     "wenYu": wen_yu,
+    "rong": rong,
 }
