@@ -48,8 +48,9 @@ inline void require_valid(const Parameters& p) {
 /// 0, V > 0 where there is a surface tension, all finite.
 inline Parameters capillary(double surface_tension, double contact_angle, double volume) {
   require_non_negative("surface tension gamma of the bridge", surface_tension);
-  require(contact_angle >= 0.0 && contact_angle < 0.5 * pi, "contact angle theta of the bridge",
-          contact_angle, "must be in radians, from 0 to below pi/2");
+  require(std::isfinite(contact_angle) && contact_angle >= 0.0 && contact_angle < 0.5 * pi,
+          "contact angle theta of the bridge", contact_angle,
+          "must be in radians, from 0 to below pi/2");
   require_non_negative("volume V of the bridge", volume);
   require(surface_tension == 0.0 || volume > 0.0, "volume V of the bridge", volume,
           "must be greater than zero where the bridge has a surface tension");
