@@ -19,8 +19,8 @@ namespace cohesion::liquid_bridge {
 ///   F = 2 pi R gamma cos theta/(1 + 1.05 s + 2.5 s^2),   s = S sqrt(R/V),   S the gap
 ///   h_r = (1 + theta/2) V^(1/3)
 ///
-/// with R = 2 R_i R_j/(R_i + R_j), 2 R_i next to a wall: Derjaguin's approximation. For V up to
-/// some 0.001 R^3; gravity and viscosity do not act.
+/// with R = 2 R_i R_j/(R_i + R_j), 2 R_i next to a wall: Derjaguin's approximation. For small
+/// volumes; gravity and viscosity do not act.
 ///
 /// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville, Langmuir 16 (2000) 9396
 /// (force, pull.h); G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface Sci. 161 (1993) 138
