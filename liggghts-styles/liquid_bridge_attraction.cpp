@@ -22,12 +22,16 @@ namespace {
 constexpr const char* asked_for_by = "cohesion model liquid_bridge";
 constexpr const char* force_property = "bridgeForce";
 constexpr const char* gap_property = "bridgeRuptureGap";
+constexpr const char* tension_property = "bridgeSurfaceTension";
+constexpr const char* angle_property = "bridgeContactAngle";
+constexpr const char* volume_property = "bridgeVolume";
 
-MatrixProperty* make_force(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createPerTypePairProperty(registry, force_property, caller);
-}
-MatrixProperty* make_gap(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createPerTypePairProperty(registry, gap_property, caller);
+template <const char* const& property>
+double** values(PropertyRegistry& registry) {
+  registry.registerProperty(property, [](PropertyRegistry& from, const char* caller, bool) {
+    return MODEL_PARAMS::createPerTypePairProperty(from, property, caller);
+  });
+  return registry.getMatrixProperty(property, asked_for_by)->data;
 }
 
 /// Without this flag the engine forgets the contact when it makes a new list.
@@ -50,24 +54,50 @@ LiquidBridgeAttraction::LiquidBridgeAttraction(LAMMPS* lmp, IContactHistorySetup
 }
 
 void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalModelProbe&) {
-  registry.registerProperty(force_property, &make_force);
-  registry.registerProperty(gap_property, &make_gap);
-  double** force = registry.getMatrixProperty(force_property, asked_for_by)->data;
-  double** gap = registry.getMatrixProperty(gap_property, asked_for_by)->data;
   is_active_ = false;
   widest_gap_ = 0.0;
+  if (is_liquid_)
+    fill_with_liquid(registry);
+  else
+    fill(registry);
+}
+
+void LiquidBridgeAttraction::fill(PropertyRegistry& registry) {
+  double** force = values<force_property>(registry);
+  double** gap = values<gap_property>(registry);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
         const cohesion::liquid_bridge::Parameters law{force[i][j], gap[i][j]};
         require_valid(law);
-        is_active_ = is_active_ || law.force > 0.0;
-        if (law.force > 0.0) widest_gap_ = std::max(widest_gap_, law.rupture_gap);
-        return law;
+        return added(law);
       },
       [&](int i, int j) {
         return shown(force_property, force[i][j]) + ", " + shown(gap_property, gap[i][j]);
       });
+}
+
+void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
+  double** tension = values<tension_property>(registry);
+  double** angle = values<angle_property>(registry);
+  double** volume = values<volume_property>(registry);
+  laws_.fill(
+      lmp_, MODEL, registry.max_type(),
+      [&](int i, int j) {
+        return added(cohesion::liquid_bridge::capillary(tension[i][j], angle[i][j], volume[i][j]));
+      },
+      [&](int i, int j) {
+        return shown(tension_property, tension[i][j]) + ", " + shown(angle_property, angle[i][j]) +
+               ", " + shown(volume_property, volume[i][j]);
+      });
+}
+
+cohesion::liquid_bridge::Parameters LiquidBridgeAttraction::added(
+    const cohesion::liquid_bridge::Parameters& law) {
+  if (!law.attracts()) return law;
+  is_active_ = true;
+  widest_gap_ = std::max(widest_gap_, law.rupture_gap);
+  return law;
 }
 
 ContactRange LiquidBridgeAttraction::range() const {
@@ -75,22 +105,22 @@ ContactRange LiquidBridgeAttraction::range() const {
   if (!is_active_) return range;  // the engine looks as far as it does without
   range.gap = widest_gap_;
   range.margin = MARGIN;
-  range.source = gap_property;
+  range.source = is_liquid_ ? "the rupture gap by bridgeVolume" : gap_property;
   return range;
 }
 
 double LiquidBridgeAttraction::force(const Encounter& e) {
   const auto& d = e.data;
-  const cohesion::liquid_bridge::Parameters& law = laws_.of(d.itype, d.jtype);
-  const bool bridged = law.force > 0.0 && cohesion::sampled_contact::sampled_bridge(
-                                              law.rupture_gap, e.gap, was_bridged(e));
+  const auto bridge = adhesion_of(laws_.of(d.itype, d.jtype), d.radi, d.is_wall ? 0.0 : d.radj);
+  const bool bridged = bridge.force > 0.0 && cohesion::sampled_contact::sampled_bridge(
+                                                 bridge.cutoff, e.gap, was_bridged(e));
   if (d.computeflag) {
     double* const history = d.contact_history + offset_;
     history[BRIDGED] = bridged;
     if (d.mesh) history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
     remember(d, bridged);
   }
-  return bridged ? law.force : 0.0;
+  return bridged ? bridge.pull().at(e.gap) : 0.0;
 }
 
 /// A step that is computed again, as each run does with the last one, finds the same.

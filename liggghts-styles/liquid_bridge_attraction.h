@@ -28,8 +28,12 @@ class LiquidBridgeAttraction : public CohesionDefaults {
   LiquidBridgeAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                          LAMMPS_NS::FixWallGran* wall);
 
-  /// Reads fix property/global bridgeForce and bridgeRuptureGap (peratomtypepair). A parameter that
-  /// cannot be right stops the engine with the types and the values given.
+  /// Keyword capillary.
+  void registerSettings(Settings& settings) { settings.registerOnOff("capillary", is_liquid_); }
+
+  /// Reads fix property/global (peratomtypepair) bridgeForce and bridgeRuptureGap, with capillary
+  /// bridgeSurfaceTension, bridgeContactAngle and bridgeVolume. A parameter that cannot be right
+  /// stops the engine with the types and the values given.
   void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
@@ -51,8 +55,8 @@ class LiquidBridgeAttraction : public CohesionDefaults {
 
   double force(const Encounter& encounter);
   /// Zero at touch.
-  double energy(int itype, int jtype, double, double, double gap, bool bridged) const {
-    return bridged ? laws_.of(itype, jtype).force * gap : 0.0;
+  double energy(int itype, int jtype, double ri, double rj, double gap, bool bridged) const {
+    return bridged ? adhesion(itype, jtype, ri, rj).pull().work(gap) : 0.0;
   }
 
  private:
@@ -63,12 +67,16 @@ class LiquidBridgeAttraction : public CohesionDefaults {
   static constexpr double MARGIN = 0.01;
 
   bool was_bridged(const Encounter& encounter) const;
+  void fill(PropertyRegistry& registry);
+  void fill_with_liquid(PropertyRegistry& registry);
+  cohesion::liquid_bridge::Parameters added(const cohesion::liquid_bridge::Parameters& law);
 
   LAMMPS_NS::LAMMPS* lmp_;
   int offset_;  // of what is remembered in the history of a contact
   TableOfTypes<cohesion::liquid_bridge::Parameters> laws_;
   double widest_gap_ = 0.0;
   bool is_active_ = false;
+  bool is_liquid_ = false;  // keyword capillary
 };
 
 }  // namespace Cohesion

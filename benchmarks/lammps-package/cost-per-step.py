@@ -4,7 +4,7 @@
 a Hamaker attraction) and jkr, or with --law jkr --granular of LAMMPS' own jkr, on the same spheres.
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
-                   [--law hamaker | liquid_bridge | square_well | hertz | jkr] [--ratio RATIO] [--granular]
+                   [--law hamaker | liquid_bridge | capillary | square_well | hertz | jkr] [--ratio RATIO] [--granular]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
@@ -22,9 +22,12 @@ from cohesion_tests.instruction_count import per_step
 from cohesion_tests.thermo import processor_seconds, thermo_end
 
 SCENES = ("gas", "packing")
-STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "square_well": 5e-11, "hertz": 2e-18,
-             "jkr": 0.01}  # A [J], F_b [N], D [J], A [J], surface energy [J/m2]
-STYLES = {"hamaker": "exact", "liquid_bridge": "bridge", "square_well": "well", "hertz": "hertz", "jkr": "jkr"}  # in.cost_per_step
+# A [J], F_b [N], surface tension [N/m], D [J], A [J], surface energy [J/m2]
+STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "capillary": 0.032, "square_well": 5e-11, "hertz": 2e-18,
+             "jkr": 0.01}
+# Of in.cost_per_step
+STYLES = {"hamaker": "exact", "liquid_bridge": "bridge", "capillary": "capillary", "square_well": "well", "hertz": "hertz",
+          "jkr": "jkr"}
 
 
 def main():

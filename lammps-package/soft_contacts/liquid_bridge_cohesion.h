@@ -2,6 +2,9 @@
 #ifndef COHESION_LIQUID_BRIDGE_COHESION_H
 #define COHESION_LIQUID_BRIDGE_COHESION_H
 
+#include <string>
+#include <vector>
+
 #include "contact_solver/liquid_bridge_solver.h"
 #include "liquid_bridge/parameters.h"
 #include "sampled_contact/sampled_bridge.h"
@@ -13,13 +16,24 @@ namespace LAMMPS_NS {
 class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/liquid_bridge";
-  static constexpr int RESTART_LAYOUT = 4;
+  static constexpr int RESTART_LAYOUT = 5;
 
   using Solver = cohesion::contact_solver::LiquidBridgeSolver;
   using Sampled = cohesion::sampled_contact::SampledBridge;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
-    return {{"bridge", 2, [](Parameters& p, const double* v) { p.law = {v[0], v[1]}; }}};
+    return {{"bridge", 2, [](Parameters& p, const double* v) { p.law = {v[0], v[1]}; }},
+            {"capillary", 3, [](Parameters& p, const double* v) {
+               p.law = cohesion::liquid_bridge::capillary(v[0], v[1], v[2]);
+             }}};
+  }
+  static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
+                            const GivenKeywords& given) {
+    if (given.has("bridge") && given.has("capillary"))
+      lmp->error->all(FLERR, where +
+                                 ": a bridge is given either by its force ('bridge') or by its "
+                                 "liquid ('capillary'), not both");
+    CohesionLaw::require_valid(lmp, where, p, given);
   }
 };
 

@@ -2,22 +2,27 @@
 #pragma once
 
 #include "hamaker/tail.h"
+#include "liquid_bridge/pull.h"
 
 namespace cohesion::contact {
 
 /// A short-ranged attraction as closed-form contact motion sees it: a constant force from the gap
 /// H_cut inwards, in contact too, and a tail beyond it that acts at H_cut all at once. A load works
 /// on the way through it: `tail` holds the law that says how far it helps.
-/// One that forms at touch, as a liquid bridge, acts in the gap only between two that have touched.
+/// One that forms at touch, as a liquid bridge, acts in the gap only between two that have touched;
+/// its force may fall over the gap.
 struct Adhesion {
   double force = 0.0;        ///< F_ad, [force]
   double cutoff = 0.0;       ///< H_cut, [length]
   double tail_energy = 0.0;  ///< E_tail, [energy]: work of the attraction from far away to H_cut
   bool forms_at_touch = false;
   hamaker::Tail tail{};  ///< of E_tail; none: E_tail is that of an edge without width
+  double fall = 0.0;     ///< L of the pull of a bridge, [length]; 0: constant up to H_cut
 
-  /// W = E_tail + F_ad H_cut, [energy]: what the pair pays on its way from last touch.
-  double well_energy() const { return tail_energy + force * cutoff; }
+  liquid_bridge::Pull pull() const { return {force, fall}; }
+  /// W = E_tail + F_ad H_cut, [energy], with the work of a pull that falls in the place of F_ad
+  /// H_cut: what the pair pays on its way from last touch.
+  double well_energy() const { return tail_energy + pull().work(cutoff); }
   /// What it gains on its way to first touch, [energy].
   double approach_energy() const { return forms_at_touch ? 0.0 : well_energy(); }
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 #include "drag/beetstra.h"
 #include "drag/constant_coefficient.h"
@@ -11,6 +12,7 @@
 #include "drag/ergun_rowe_henwood.h"
 #include "drag/ergun_wen_yu.h"
 #include "drag/hill_koch_ladd.h"
+#include "drag/rong.h"
 #include "drag/syamlal_obrien.h"
 #include "drag/tang.h"
 #include "drag/tenneti.h"
@@ -46,23 +48,19 @@ struct Closure {
   double (*of_densities)(double sphere_density, double density) = nullptr;
 };
 
+/// The row of a law: a struct with `name`, `validity`, per_solid_volume(), and either
+/// with_exponent() or the text `no_exponent`.
+template <class Law, class = void>
+inline constexpr Closure row{Law::name, &Law::per_solid_volume, Law::validity, Law::with_exponent,
+                             ""};
+template <class Law>
+inline constexpr Closure row<Law, std::void_t<decltype(Law::no_exponent)>>{
+    Law::name, &Law::per_solid_volume, Law::validity, nullptr, Law::no_exponent};
+
 inline constexpr std::array closures{
-    Closure{SyamlalOBrien::name, &SyamlalOBrien::per_solid_volume, SyamlalOBrien::validity, nullptr,
-            SyamlalOBrien::no_exponent},
-    Closure{ErgunWenYu::name, &ErgunWenYu::per_solid_volume, ErgunWenYu::validity,
-            &ErgunWenYu::with_exponent, ""},
-    Closure{ErgunRoweHenwood::name, &ErgunRoweHenwood::per_solid_volume, ErgunRoweHenwood::validity,
-            &ErgunWenYu::with_exponent, ""},
-    Closure{DiFelice::name, &DiFelice::per_solid_volume, DiFelice::validity, nullptr,
-            DiFelice::no_exponent},
-    Closure{HillKochLadd::name, &HillKochLadd::per_solid_volume, HillKochLadd::validity, nullptr,
-            HillKochLadd::no_exponent},
-    Closure{Beetstra::name, &Beetstra::per_solid_volume, Beetstra::validity, nullptr,
-            Beetstra::no_exponent},
-    Closure{Tenneti::name, &Tenneti::per_solid_volume, Tenneti::validity, nullptr,
-            Tenneti::no_exponent},
-    Closure{Tang::name, &Tang::per_solid_volume, Tang::validity, nullptr, Tang::no_exponent},
-    Closure{WenYu::name, &WenYu::per_solid_volume, WenYu::validity, &WenYu::with_exponent, ""},
+    row<SyamlalOBrien>, row<ErgunWenYu>, row<ErgunRoweHenwood>, row<DiFelice>,
+    row<HillKochLadd>,  row<Beetstra>,   row<Tenneti>,          row<Tang>,
+    row<WenYu>,         row<Rong>,
 };
 
 /// Where a closure of one coefficient holds: nowhere it says that it does not.

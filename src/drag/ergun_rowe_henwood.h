@@ -21,11 +21,12 @@ struct ErgunRoweHenwood {
   static constexpr const char* name = "ergunRoweHenwood";
   static constexpr Validity validity = ErgunWenYu::validity;
   static constexpr double exponent = 4.7;
+  static constexpr auto with_exponent = &ErgunWenYu::with_exponent;
 
   /// beta/(1 - eps) as in SyamlalOBrien::per_solid_volume.
   static double per_solid_volume(double void_fraction, double slip, double diameter, double density,
                                  double viscosity) {
-    return ErgunWenYu::with_exponent(exponent, void_fraction, slip, diameter, density, viscosity);
+    return with_exponent(exponent, void_fraction, slip, diameter, density, viscosity);
   }
 };
 

@@ -15,14 +15,15 @@ inline bool sampled_bridge(double range, double gap, bool bridged) {
 }
 
 /// A liquid bridge (docs/lammps-package/pair_gran_liquid_bridge.md) as the scheme to compare with:
-/// it forms and breaks where the pair is found at a grid point, and pulls for the whole step. First
-/// order in the step; a touch that begins and ends between two grid points is missed.
+/// it forms and breaks where the pair is found at a grid point, and pulls for the whole step with
+/// the force at its gap there. First order in the step; a touch that begins and ends between two
+/// grid points is missed.
 ///
 /// Sphere and sphere, or sphere and plane with the separation from the centre to the foot of the
 /// normal.
 class SampledBridge {
  public:
-  /// Force and, as cutoff, the gap of rupture; no tail.
+  /// Force and its fall and, as cutoff, the gap of rupture; no tail.
   using Attraction = contact::Adhesion;
   static constexpr bool pushes_at_edge = false;
 
@@ -31,7 +32,7 @@ class SampledBridge {
       : spring_(spring),
         contact_distance_(contact_distance),
         range_(bridge.cutoff),
-        force_(bridge.force) {}
+        pull_(bridge.pull()) {}
 
   double range() const { return range_; }
   /// Gap at which a pair comes into range, [length].
@@ -54,8 +55,8 @@ class SampledBridge {
     // broke, from where the step began.
     if (step.inside != inside)
       step.normal.dissipated +=
-          (step.inside ? 1.0 : -1.0) * force_ * (overlap - window.before * rate);
-    const double attraction = step.inside ? force_ : 0.0;
+          (step.inside ? -1.0 : 1.0) * pull_.work(window.before * rate - overlap);
+    const double attraction = step.inside ? pull_.at(-overlap) : 0.0;
     step.velocity_change = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
     return step;
   }
@@ -64,13 +65,13 @@ class SampledBridge {
     return overlap > 0.0 ? 0.5 * spring_.stiffness() * overlap * overlap : 0.0;
   }
   /// Of a pair that has its bridge, zero at touch.
-  double adhesion_energy(double overlap) const { return -force_ * overlap; }
+  double adhesion_energy(double overlap) const { return pull_.work(-overlap); }
 
  private:
   contact::LinearSpringDashpot spring_;
   double contact_distance_;
   double range_;
-  double force_;
+  liquid_bridge::Pull pull_;
 };
 
 }  // namespace cohesion::sampled_contact

@@ -12,7 +12,7 @@ from cohesion_tests.lammps_scenes import couples
 from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
 from cohesion_tests.lammps_scenes.square_well_scene import T_C, Scene, gaps, relative, report
 from cohesion_tests.refusals import assert_refused
-from cohesion_tests.theory.liquid_bridge import FORCE, GAP, escape_velocity, parting_speed
+from cohesion_tests.theory.liquid_bridge import FORCE, GAP, Capillary, escape_velocity, parting_speed
 from cohesion_tests.theory.pair_motion import DAMPING, DIAMETER, MASS, MU, STIFFNESS
 from cohesion_tests.thermo import thermo_lines
 
@@ -199,6 +199,99 @@ class Continued(Scene):
             numpy.testing.assert_array_equal(whole[5, 4:7], (1e-4, 0, 0))
 
 
+class Liquids(Scene):
+    """Bridges of a liquid; whether pairs stick with them: escape_test.py."""
+    TENSION, ANGLE, VOLUME = 0.05, 0.6, 1e-13
+    WORDS = f"stiffness {STIFFNESS} capillary {TENSION} {ANGLE} {VOLUME}"
+    RADII = ((5e-4, 5e-4), (5e-4, 2.5e-4), (5e-4, math.inf))
+
+    def bridge(self, radii):
+        return Capillary(self.TENSION, self.ANGLE, self.VOLUME, *radii)
+
+    def test_the_pull_is_the_published_curve(self):
+        """Of equal and unequal spheres and a wall, so heavy that they are hardly slowed as their bridges open."""
+        speed, dt, density = 0.02, 1e-5, 1e6
+        atoms = []
+        for n, (radius, other) in enumerate(self.RADII[:2]):
+            x = 2e-3 + 3e-3 * n
+            for r, place, v in ((radius, 3e-3, -speed / 2), (other, 3e-3 + radius + other - 1e-9, speed / 2)):
+                atoms.append(self.sphere((x, 5e-3, place), (0, 0, v), diameter=2 * r, density=density))
+        atoms.append(self.sphere((8e-3, 8e-3, 5e-4 - 1e-9), (0, 0, speed), density=density))
+        mass = [density * math.pi / 6 * atom["diameter"]**3 for atom in atoms]
+        for scheme in ("exact", "sampled"):
+            self.follow(atoms, ["* * " + self.WORDS], dt, 330, style=f"{STYLE} scheme {scheme}", every=1,
+                        boundary="p p f", fixes=[f"fix w all wall/{STYLE} {self.WORDS} scheme {scheme} zplane 0 NULL"])
+            course = self.course()
+            z, vz = course[:, :, 3], course[:, :, 6]
+            for k, radii in enumerate(self.RADII):
+                bridge, first = self.bridge(radii), 2 * k
+                if k < 2:
+                    gap = z[:, first + 1] - z[:, first] - sum(radii)
+                    rate = vz[:, first + 1] - vz[:, first]
+                    reduced = 1 / (1 / mass[first] + 1 / mass[first + 1])
+                else:
+                    gap, rate, reduced = z[:, first] - radii[0], vz[:, first], mass[first]
+                # Velocities of the time levels change by the mean of two forces. What a force exact puts into a step
+                # is the mean of the pull over two of them, F'' (v dt)^2/12 more, F'' below 7 F/L^2 (at touch).
+                pull = numpy.array([bridge.force(g) for g in gap])
+                inside = (gap[:-1] > 2 * speed * dt) & (gap[1:] < bridge.rupture - 2 * speed * dt)
+                self.assertGreater(inside.sum(), 250)
+                expected = 0.5 * (pull[:-1] + pull[1:])[inside]
+                found = -reduced * numpy.diff(rate)[inside] / dt
+                curved = 0.0 if scheme == "sampled" else 7 / 12 * (speed * dt)**2 / (bridge.volume / bridge.radius)
+                # Velocities are rounded by 1e-18 m/s, places by 1e-18 m; exact puts these over the step.
+                rounding = reduced * (4e-18 / dt + (0 if scheme == "sampled" else 4e-18 / dt**2))
+                error = numpy.abs(found - expected)
+                report(f"{scheme}, radii {radii}: pull off by {(error / expected).max():.1e} at most")
+                self.assertTrue((error < curved * bridge.touch + rounding + 1e-9 * expected).all(), (scheme, radii))
+                # Broken, nothing pulls any more.
+                self.assertGreater(gap[-1], bridge.rupture)
+                numpy.testing.assert_array_equal(rate[-1], rate[-3])
+
+    def test_a_broken_bridge_takes_the_work_of_its_curve(self):
+        bridge, speed = self.bridge(self.RADII[0]), 0.5
+        for division in (4, 50):
+            dt, atoms = T_C / division, []
+            for k in range(20):
+                atoms += couples.couple(k, 1e-6 + k * speed * dt / 20, (0.0, speed, 0.0))
+            path, _ = couples.run(atoms, ["* * " + self.WORDS], dt, 10 * division, style=STYLE, skin=4e-4, every=1)
+            out = relative(path[-1])[:, 4]
+            numpy.testing.assert_allclose(out, math.sqrt(speed**2 - 2 * bridge.work(bridge.rupture) / MU), rtol=1e-9)
+
+    def test_advice_has_the_escape_velocity(self):
+        """Of a constant pull in contact, that loses the work of the curve."""
+        words = f"{self.WORDS} damping {DAMPING:.17g}"
+        code, output = engine.run_text(
+            HEAD + f"pair_style {STYLE}\npair_coeff * * {words}\nfix w all wall/{STYLE} {words} zplane 0 NULL" + MOVE,
+            self.folder)
+        self.assertEqual(code, 0, output)
+        for name, mass, radii in (("1 - 1", MU, self.RADII[0]), ("1 - wall", MASS, self.RADII[2])):
+            bridge = self.bridge(radii)
+            expected = escape_velocity(bridge.touch, bridge.work(bridge.rupture) / bridge.touch, mass)
+            row = next(l for l in output.splitlines() if l.strip().startswith(name)).split()
+            self.assertAlmostEqual(float(row[-2]) / expected, 1, delta=5e-3)  # printed
+
+    def test_runs_ranks_and_restart(self):
+        bridge = self.bridge(self.RADII[0])
+        speed = 0.9 * math.sqrt(2 * bridge.work(bridge.rupture) / MU)
+        atoms = [self.sphere((3e-3, 3e-3, 3e-3), (speed, 0, 0)),
+                 self.sphere((3e-3 + DIAMETER + 1e-7, 3e-3, 3e-3))]
+
+        def end(mode, ranks=1):
+            self.follow(atoms if mode != "restart" else [], ["* * " + self.WORDS], T_C / 8, 40, style=STYLE,
+                        boundary="p p f", mode=mode, ranks=ranks, every=1)
+            return self.course()
+
+        whole = end("restart_file")
+        gap = whole[20, 1, 1] - whole[20, 0, 1] - DIAMETER
+        self.assertTrue(0.05 * bridge.rupture < gap < 0.95 * bridge.rupture, gap)
+        for mode, ranks in (("restart", 1), ("halves", 1), ("whole", 2)):
+            # Roundings of 0.01 m in 40 steps, and these over a step.
+            other = end(mode, ranks)
+            numpy.testing.assert_allclose(other[-1, :, 1:4], whole[-1, :, 1:4], rtol=0, atol=1e-14)
+            numpy.testing.assert_allclose(other[-1, :, 4:7], whole[-1, :, 4:7], rtol=0, atol=1e-10)
+
+
 class Input(Scene):
     def test_wrong_words_and_values(self):
         style = f"pair_style {STYLE}\npair_coeff * * "
@@ -210,6 +303,9 @@ class Input(Scene):
                 (style + "stiffness 800 bridge -1e-4 1e-5", ("force F_b", "-0.0001")),
                 (style + "stiffness 800 bridge 1e-4 0", ("rupture gap h_r", "greater than zero")),
                 (style + "stiffness 800 bridge 1e-4 nan", ("nan",)),
+                (style + "stiffness 800 capillary 0.07 30 1e-13", ("contact angle theta", "30", "radians")),
+                (style + "stiffness 800 capillary 0.07 0 0", ("volume V", "greater than zero")),
+                (style + "stiffness 800 bridge 1e-4 1e-5 capillary 0.07 0 1e-13", ("not both",)),
                 (wall + "stiffness 800 bridge 1e-4 -1 zplane 0 NULL", ("fix w", "h_r")),
                 (f"pair_style {STYLE}\npair_coeff 1 1 bridge 1e-4 1e-5", ("stiffness",))):
             with self.subTest(text):

@@ -25,7 +25,7 @@ STYLES = {
     "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 3),
     "gran/hamaker": ("", "stiffness 800", 9),
     "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 6),
-    "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 4),
+    "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 5),
     "gran/jkr": ("", "normal hertz 5e6 0.25 surface_energy 0.01", 2),
     "hard/square_well": ("", "restitution 0.9", 4),
 }

@@ -44,7 +44,7 @@ def script(table, number):
     """Of a run whose files end in the number."""
     law, kinds = table.law, len(table.law.STRENGTHS)
     models = f"model {law.MODEL} tangential off cohesion {law.NAME}"
-    settings = "absolute_damping on tangential_damping off scheme exact"
+    settings = "absolute_damping on tangential_damping off scheme exact" + law.SETTINGS
     wall = f"all wall/gran {models} "
     meshes = [body.name for body in MESHES]
     return "\n".join([

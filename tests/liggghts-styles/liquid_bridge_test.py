@@ -7,8 +7,9 @@ import unittest
 
 from cohesion_tests.liggghts import Run, assert_refused
 from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
-from cohesion_tests.liggghts_scenes.scene import RADIUS, contact, frames, liquid_bridge, script, sphere
-from cohesion_tests.theory.liquid_bridge import FORCE, GAP, escape_velocity, parting_speed
+from cohesion_tests.liggghts_scenes.scene import (DENSITY, RADIUS, STIFFNESS, capillary, contact, frames, liquid_bridge,
+                                                  part, script, sphere)
+from cohesion_tests.theory.liquid_bridge import FORCE, GAP, Capillary, escape_velocity, parting_speed
 from cohesion_tests.theory.pair_motion import CONTACT_TIME, DAMPING, DIAMETER, MU
 
 MODELS = "model hooke/stiffness tangential off cohesion liquid_bridge"
@@ -131,6 +132,86 @@ class Continued(unittest.TestCase):
             self.assertEqual(tuple(end[4][3:6]), (1e-4, 0.0, 0.0))
 
 
+class Liquids(unittest.TestCase):
+    """Bridges of a liquid; whether pairs stick with them: escape_test.py."""
+    TENSION, ANGLE, VOLUME = 0.05, 0.6, 1e-13
+    RADII = ((5e-4, 5e-4), (5e-4, 2.5e-4), (5e-4, math.inf))
+    # Elastic: the dashpots of the properties are not on.
+    CONTACT = contact(gamman=0.0)
+
+    def spheres(self, overlap, speed=0.0, density=DENSITY):
+        """Two pairs, and one at a plane at x = -9e-3, that part."""
+        spheres = []
+        for k, (radius, other) in enumerate(self.RADII[:2]):
+            y, distance = -5e-3 + 3e-3 * k, radius + other - overlap
+            spheres += [sphere((0, y, 0), (-speed / 2, 0, 0), radius=radius, density=density),
+                        sphere((distance, y, 0), (speed / 2, 0, 0), radius=other, density=density)]
+        return spheres + [sphere((-9e-3 + RADIUS - overlap, 5e-3, 0), (speed, 0, 0), density=density)]
+
+    def gaps(self, frame):
+        """Of a frame, with the number of the sphere that the force pulls to the left."""
+        for k, radii in enumerate(self.RADII):
+            if k < 2:
+                yield 2 * k + 2, frame[2 * k + 2][0] - frame[2 * k + 1][0] - sum(radii)
+            else:
+                yield 5, frame[5][0] + 9e-3 - RADIUS
+
+    def test_the_pull_is_the_published_curve(self):
+        """Of equal and unequal spheres and a wall, so heavy that they are hardly slowed as their bridges open."""
+        speed, dt, density = 0.02, 1e-5, 1e6
+        for scheme in ("exact", "sampled"):
+            settings = f"{MODELS} tangential_damping off scheme {scheme} capillary on"
+            path = frames(self.spheres(1e-9, speed, density), settings,
+                          capillary(self.TENSION, self.ANGLE, self.VOLUME), dt=dt, steps=330, every=1, skin=2e-4,
+                          contacts=self.CONTACT,
+                          walls=[f"fix plate all wall/gran {MODELS} primitive type 2 xplane -9e-3 tangential_damping off "
+                                 f"scheme {scheme} capillary on"])
+            for k, radii in enumerate(self.RADII):
+                bridge = Capillary(self.TENSION, self.ANGLE, self.VOLUME, *radii)
+                # Places are rounded by 2e-18 m, which exact puts over the step.
+                rounding = density * math.pi / 6 * DIAMETER**3 * 4e-18 / dt**2 if scheme == "exact" else 0.0
+                checked = 0
+                for frame in path:
+                    number, gap = list(self.gaps(frame))[k]
+                    pull = -part(frame[number], "f")[0]
+                    if gap > bridge.rupture + 2 * speed * dt:
+                        self.assertAlmostEqual(pull, 0.0, delta=rounding)
+                    if not 2 * speed * dt < gap < bridge.rupture - 2 * speed * dt:
+                        continue
+                    checked += 1
+                    # exact puts the mean of the pull over two steps into one: F'' (v dt)^2/12 more, F'' below 7 F/L^2
+                    # (at touch).
+                    curved = 7 / 12 * (speed * dt)**2 / (bridge.volume / bridge.radius) * bridge.touch
+                    room = 1e-9 * pull + rounding + (curved if scheme == "exact" else 0.0)
+                    self.assertAlmostEqual(pull, bridge.force(gap), delta=room, msg=f"{scheme} {radii} {gap}")
+                self.assertGreater(checked, 250)
+
+    def test_a_plane_pulls_twice_as_much_as_a_sphere_and_by_the_engines_own_model_it_does_not(self):
+        """At touch, where each is 2 pi R gamma of the mean radius R."""
+        def pulls(models, settings, properties):
+            frame = frames(self.spheres(1e-9), models + settings, properties, contacts=self.CONTACT, walls=[
+                f"fix plate all wall/gran {models} primitive type 2 xplane -9e-3" + settings])[0]
+            return [-part(frame[number], "f")[0] + STIFFNESS * -gap for number, gap in self.gaps(frame)]
+
+        equal, unequal, wall = pulls(MODELS, " tangential_damping off scheme sampled capillary on",
+                                     capillary(self.TENSION, 0.0, self.VOLUME))
+        # The spring's force is rounded at an overlap of 1e-9 m by 1e-18/1e-9 of 8e-7 N.
+        self.assertAlmostEqual(equal, 2 * math.pi * RADIUS * self.TENSION, delta=1e-14)
+        self.assertAlmostEqual(wall / equal, 2, delta=1e-9)
+        self.assertAlmostEqual(unequal / equal, 2 / 3, delta=1e-9)
+        # In per cent of the sphere's volume; half of a cap of each sphere makes the bridge.
+        own = "".join(f"fix {name} all property/global {name} {value}\n" for name, value in {
+            "surfaceLiquidContentInitial": "scalar 0.1", "surfaceTension": f"scalar {self.TENSION}",
+            "fluidViscosity": "scalar 0", "contactAngle": "peratomtype 0 0", "minSeparationDistanceRatio": "scalar 0.01",
+            "maxSeparationDistanceRatio": "scalar 1.1"}.items())
+        equal, unequal, wall = pulls("model hooke/stiffness tangential off cohesion easo/capillary/viscous",
+                                     " tangential_damping off", own)
+        touch = 2 * math.pi * RADIUS * self.TENSION
+        print(f"easo/capillary/viscous over 2 pi R gamma: equal {equal / touch:.3f}, unequal {unequal / touch * 1.5:.3f}, "
+              f"plane {wall / touch / 2:.3f}")
+        self.assertLess(wall / equal, 1.1)
+
+
 class BadInput(unittest.TestCase):
     def test_values(self):
         for force, gap, message in ((-1e-4, 1e-5, "force F_b of the bridge = -0.0001"),
@@ -138,6 +219,13 @@ class BadInput(unittest.TestCase):
                                     (1e-4, 0.0, "must be greater than zero")):
             run = Run(script([sphere((0, 0, 0))], MODELS, liquid_bridge(force, gap)))
             assert_refused(self, run, "cohesion model liquid_bridge, atom types 1 and 1", message, "bridgeForce")
+
+    def test_values_of_a_liquid(self):
+        for tension, angle, volume, message in ((-0.07, 0, 1e-13, "surface tension gamma of the bridge = -0.07"),
+                                                (0.07, 30, 1e-13, "must be in radians"),
+                                                (0.07, 0, 0, "must be greater than zero")):
+            run = Run(script([sphere((0, 0, 0))], MODELS + " capillary on", capillary(tension, angle, volume)))
+            assert_refused(self, run, "cohesion model liquid_bridge, atom types 1 and 1", message, "bridgeVolume")
 
     def test_missing_property(self):
         for missing in ("bridgeForce", "bridgeRuptureGap"):

@@ -10,14 +10,15 @@ import unittest
 import numpy
 
 from cohesion_tests import lammps
-from cohesion_tests.liggghts_scenes.scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames,
-                                                  hamaker, liquid_bridge, sphere, square_well)
+from cohesion_tests.liggghts_scenes.scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, capillary,
+                                                  frames, hamaker, liquid_bridge, sphere, square_well)
 
 COUNT, CELLS, PITCH = 210, 6, 1.4e-3
 SIZE = CELLS * PITCH
 SPEED = 0.1
 A, DEPTH = 1e-11, 4e-9  # a pair gains 8e-10 and 4e-9 J; it approaches with 5e-9 J
 FORCE, GAP = 4e-4, 1e-5  # of bridges, which take 4e-9 J
+TENSION, VOLUME = 0.15, 1e-13  # of bridges of a liquid, which take 4e-9 J
 DT, STEPS, EVERY = 2e-6, 20000, 200
 LAMMPS = """plugin load {plugin}
 units si
@@ -47,7 +48,11 @@ SCENES = {
     "liquid_bridge": (
         "pair_style gran/liquid_bridge scheme sampled\npair_coeff * * "
         f"stiffness {STIFFNESS} damping {DAMPING!r} bridge {FORCE!r} {GAP!r}",
-        liquid_bridge(FORCE, GAP))}
+        liquid_bridge(FORCE, GAP)),
+    "liquid_bridge capillary on": (
+        "pair_style gran/liquid_bridge scheme sampled\npair_coeff * * "
+        f"stiffness {STIFFNESS} damping {DAMPING!r} capillary {TENSION!r} 0.6 {VOLUME!r}",
+        capillary(TENSION, 0.6, VOLUME))}
 
 
 def start(seed):
@@ -72,9 +77,10 @@ def run_lammps(cohesion, places, velocities):
 
 
 def run_liggghts(cohesion, places, velocities):
+    name, _, settings = cohesion.partition(" ")
     path = frames([sphere(x, v) for x, v in zip(places, velocities)],
-                  f"model hooke/stiffness tangential off cohesion {cohesion} absolute_damping on "
-                  "tangential_damping off", SCENES[cohesion][1], dt=DT, steps=STEPS, every=EVERY,
+                  f"model hooke/stiffness tangential off cohesion {name} absolute_damping on "
+                  f"tangential_damping off scheme sampled {settings}", SCENES[cohesion][1], dt=DT, steps=STEPS, every=EVERY,
                   skin=2e-4, boundary="p p p", box=f"0 {SIZE!r} 0 {SIZE!r} 0 {SIZE!r}")
     return numpy.array([[frame[n][:6] for n in sorted(frame)] for frame in path])
 

@@ -7,7 +7,6 @@ import subprocess
 import time
 import unittest
 
-from cohesion_tests import SOURCE
 from cohesion_tests.coupling.cases import CONTROL, COUPLING, ENGINE, append, script_file
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.refusals import assert_says
@@ -266,15 +265,6 @@ class BadInput(CoupledTestCase):
             case.mesh()
             spoil(case)
             self.refused(name, case, *parts)
-
-    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
-    def test_every_closure_is_documented(self):
-        """Not bad input, but what a user does after the list of valid names: look them up."""
-        table = (SOURCE / "docs/openfoam-coupling/drag_closures.md").read_text()
-        entries = (SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md").read_text()
-        for name in CLOSURES:
-            self.expect_true(f"{name}: a row in drag_closures.md", f"\n| `{name}` |" in table)
-            self.expect_true(f"{name}: named in cohesiveBedFoam.md", f"`{name}`" in entries)
 
     @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
     def test_existing_results_are_kept(self):

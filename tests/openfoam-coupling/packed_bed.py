@@ -9,18 +9,18 @@ import unittest
 import numpy as np
 
 from cohesion_tests.coupling.cases import drag_report, edit, script_file
-from cohesion_tests.coupling.held_layers import (DT, G, HEIGHT, RHO, ROW, ROWS, STEPS, SUPERFICIAL, blow, drag, drop,
+from cohesion_tests.coupling.held_layers import (DT, G, HEIGHT, MU, RHO, ROW, ROWS, STEPS, SUPERFICIAL, blow, drag, drop,
                                                 drop_error, flux_limit, rows, solid, viscous)
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.theory.closure_formulas import CLOSURES
+from cohesion_tests.theory.closure_page import Range
 from cohesion_tests.theory.filtered_drag import share
 
 
 class PackedBed(CoupledTestCase):
-    def check(self, name, settings, closure, lowest=0.4, column=None, moved=0.0):
-        """The bed with `settings` of the drag in couplingProperties, against `closure`, which holds from the void
-        fraction `lowest` on; `column`: what makes the case; `moved`: by how much of it drag is off as spheres of its
-        mass would begin to move within a step."""
+    def check(self, name, settings, closure, column=None, moved=0.0):
+        """The bed with `settings` of the drag in couplingProperties, against `closure`; `column`: makes the case; `moved`:
+        relative error of the drag, as spheres of its mass would begin to move within a step."""
         case, continuity, log = blow(column or self.column, name, settings)
         early, late = "0.001", "0.002"
         eps = np.array([1 - solid(row) for row in ROWS])
@@ -46,16 +46,17 @@ class PackedBed(CoupledTestCase):
         self.expect_near(f"{name}: pressure drop [Pa]", drop(case, late), expected,
                          viscous(eps) + solver + moved * expected)
 
-        # All void fractions, 0.425 to 0.887, and Reynolds numbers here are where the closures hold, but for one that
-        # holds from `lowest` on. One evaluation for each sphere and step.
-        spheres, outside = (9 * sum(row[0] for row in of) for of in (ROWS, [r for r in ROWS if 1 - solid(r) < lowest]))
+        # Void fractions of the rows are 0.425 to 0.887. One evaluation for each sphere and step.
+        inside = Range(settings["drag"])
+        spheres, outside = (9 * sum(row[0] for row in of) for of in (
+            ROWS, [r for r in ROWS if r[0] and (1 - solid(r), RHO * SUPERFICIAL * r[1] / MU) not in inside]))
         self.expect_equal(f"{name}: evaluations and how many were outside", drag_report(log),
                           (STEPS * spheres, STEPS * outside))
         self.expect_equal(f"{name}: warnings", log.count("particles are outside"), int(outside > 0))
 
     def test_every_closure(self):
         for name, closure in CLOSURES.items():
-            self.check(name, {"drag": name}, closure, lowest=0.5 if name == "tenneti" else 0.4)
+            self.check(name, {"drag": name}, closure)
 
     def test_form_B(self):
         self.check("form_B", {"drag": "diFelice", "form": "B"}, CLOSURES["diFelice"])

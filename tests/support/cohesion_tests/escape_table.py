@@ -12,6 +12,7 @@ from itertools import groupby
 
 import numpy
 
+from cohesion_tests.theory.liquid_bridge import Capillary
 from cohesion_tests.theory.oblique_escape import NormalLaw
 from cohesion_tests.theory.pair_motion import CONTACT_TIME, CUT, DAMPING, DENSITY, DIAMETER, OUT, STIFFNESS, Pair
 
@@ -33,6 +34,7 @@ class LinearContact:
 
     NAME = ""  # of the pair style gran/NAME and the cohesion model
     MODEL = "hooke/stiffness"  # normal model of LIGGGHTS
+    SETTINGS = ""  # of the cohesion model of LIGGGHTS
     DIVISIONS = (4, 8, 16, 50)  # time steps per contact time
     STRENGTHS = ()
     LENGTH = 50  # of a run in contact times, a multiple of 5
@@ -151,7 +153,50 @@ class LiquidBridge(LinearContact):
         yield "bridgeRuptureGap", "peratomtypepair", 2 * [[rupture for _, rupture in strengths]]
 
 
-LAWS = (Hamaker(), SquareWell(), LiquidBridge())
+class CapillaryBridge(LinearContact):
+    """A bridge of a liquid, whose pull at the rupture is 1/33 to 1/106 of that in contact: a pair falls from there to
+    touch in 100 contact times at most. Turning may nearly balance it, where a pair lingers.
+
+    A wall has twice the force, and with twice the volume the pull falls over the same way; the rupture is at the same
+    gap by another contact angle."""
+
+    NAME, SETTINGS = "liquid_bridge", " capillary on"
+    DIVISIONS = (4, 16, 50)
+    STRENGTHS = ((0.05, 1e-14), (0.05, 1e-13), (0.02, 4e-13))  # gamma [N/m], V [m3]
+    LENGTH = 250
+    ANGLE, WALL_ANGLE = 0.6, 2 * (1.3 / 2**(1 / 3) - 1)  # [rad]
+
+    def rupture(self, strength):
+        return (1 + self.ANGLE / 2) * strength[1]**(1 / 3)
+
+    def start(self, strength, at_wall):
+        return 1e-7  # no attraction before the touch
+
+    def free(self, strength, at_wall):
+        return self.rupture(strength) + 1e-9
+
+    def normal_law(self, strength):
+        tension, volume = strength
+        bridge = Capillary(tension, self.ANGLE, volume, RADIUS)
+        return NormalLaw(lambda gap: 0.0, lambda gap: bridge.work(gap) - bridge.work(bridge.rupture),
+                         lambda overlap, rate: self.force(overlap, rate) - bridge.force(0.0), reach=bridge.rupture)
+
+    def liquid(self, strength, at_wall):
+        tension, volume = strength
+        if not at_wall:
+            return tension, self.ANGLE, volume
+        return tension * math.cos(self.ANGLE) / math.cos(self.WALL_ANGLE), self.WALL_ANGLE, 2 * volume
+
+    def lammps_attraction(self, strength, share):
+        return "capillary {:.17g} {:.17g} {:.17g}".format(*self.liquid(strength, share == 2))
+
+    def liggghts_attraction(self, strengths):
+        for k, name in enumerate(("bridgeSurfaceTension", "bridgeContactAngle", "bridgeVolume")):
+            yield name, "peratomtypepair", [[self.liquid(strength, at_wall)[k] for strength in strengths]
+                                            for at_wall in (False, True)]
+
+
+LAWS = (Hamaker(), SquareWell(), LiquidBridge(), CapillaryBridge())
 
 
 @functools.cache

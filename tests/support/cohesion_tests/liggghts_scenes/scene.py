@@ -76,8 +76,14 @@ def liquid_bridge(force, gap):
     return _matrix("bridgeForce", force, 2 * force) + _matrix("bridgeRuptureGap", gap, gap)
 
 
-def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):
-    return dict(place=place, velocity=velocity, spin=spin, radius=radius)
+def capillary(tension, angle, volume):
+    """The properties of cohesion liquid_bridge with capillary on, the same for a wall."""
+    return "".join(_matrix(name, value, value) for name, value in (
+        ("bridgeSurfaceTension", tension), ("bridgeContactAngle", angle), ("bridgeVolume", volume)))
+
+
+def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS, density=DENSITY):
+    return dict(place=place, velocity=velocity, spin=spin, radius=radius, density=density)
 
 
 def with_scheme(models):
@@ -97,7 +103,7 @@ def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, 
                          dimension=dimension) + "\n"
     for number, s in enumerate(spheres, 1):
         text += "create_atoms 1 single {:.17g} {:.17g} {:.17g} units box\n".format(*s["place"])
-        text += f"set atom {number} diameter {2 * s['radius']:.17g} density {DENSITY:.17g}"
+        text += f"set atom {number} diameter {2 * s['radius']:.17g} density {s['density']:.17g}"
         text += " vx {:.17g} vy {:.17g} vz {:.17g}".format(*s["velocity"])
         text += " omegax {:.17g} omegay {:.17g} omegaz {:.17g}\n".format(*s["spin"])
     text += contacts + properties

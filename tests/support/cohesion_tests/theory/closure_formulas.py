@@ -4,14 +4,18 @@ them, each in its own convention, and not scaled by Stokes' drag.
 
 Every function returns beta/(1 - eps) [kg/(m3 s)] from the void fraction eps, the slip |u - v| > 0 [m/s]
 between the gas in the voids and the particles, diameter d [m], density rho [kg/m3] and viscosity mu
-[Pa s]. `m` is what the numbers are made of: a module with mpf, sqrt, exp, log, log10, pi; mpmath for any
-number of digits, or DOUBLE below.
+[Pa s]. `m` is what the numbers are made of, with mpf, sqrt, exp, log, log10, pi: DOUBLE or PRECISE.
 """
+import decimal
 import math
 from types import SimpleNamespace
 
 DOUBLE = SimpleNamespace(mpf=float, sqrt=math.sqrt, exp=math.exp, log=math.log, log10=math.log10,
                          pi=math.pi)
+#: As many digits as decimal.getcontext() asks for, up to 60.
+PRECISE = SimpleNamespace(mpf=decimal.Decimal, sqrt=decimal.Decimal.sqrt, exp=decimal.Decimal.exp,
+                          log=decimal.Decimal.ln, log10=decimal.Decimal.log10,
+                          pi=decimal.Decimal("3.14159265358979323846264338327950288419716939937510582097494459"))
 
 
 def syamlal_obrien(m, eps, slip, d, rho, mu):
@@ -120,6 +124,16 @@ def tang(m, eps, slip, d, rho, mu):
     return 3 * m.pi * mu * d * velocity * scaled / slip / (m.pi / 6 * d**3)
 
 
+def rong(m, eps, slip, d, rho, mu):
+    n = m.mpf
+    velocity = eps * slip
+    reynolds = velocity * d * rho / mu
+    coefficient = (n("0.63") + n("4.8") / m.sqrt(reynolds)) ** 2
+    chi = (n("2.65") * (eps + 1)
+           - (n("5.3") - n("3.5") * eps) * eps**2 * m.exp(-((n("1.5") - m.log10(reynolds)) ** 2) / 2))
+    return m.pi / 8 * coefficient * rho * d**2 * velocity**2 * eps**-chi / slip / (m.pi / 6 * d**3)
+
+
 CLOSURES = {
     "syamlalOBrien": syamlal_obrien,
     "ergunWenYu": ergun_wen_yu,
@@ -130,4 +144,5 @@ CLOSURES = {
     "tenneti": tenneti,
     "tang": tang,
     "wenYu": wen_yu,
+    "rong": rong,
 }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two spheres of the thesis, or one and a wall, that meet head-on and have a liquid bridge from then on: closed
 forms, beside those of the package."""
+import functools
 import math
 
+from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from cohesion_tests.theory.pair_motion import DAMPING, MU, STIFFNESS
@@ -39,3 +41,23 @@ def escape_velocity(force=FORCE, gap=GAP, mass=MU, damping=DAMPING):
     needed = math.sqrt(2 * force * gap / mass)
     return brentq(lambda u: parting_speed(u, force, mass, damping) - needed, needed, 30 * needed,
                   xtol=1e-17, rtol=1e-15)
+
+
+class Capillary:
+    """The bridge of a liquid between two spheres as Willett et al. print it, of half of the gap; radius2 infinite: a
+    wall."""
+
+    def __init__(self, tension, angle, volume, radius, radius2=None):
+        self.radius = 2 / (1 / radius + 1 / (radius2 or radius))
+        self.touch = 2 * math.pi * self.radius * tension * math.cos(angle)
+        self.volume = volume
+        self.rupture = (1 + angle / 2) * volume**(1 / 3)
+
+    def force(self, gap):
+        half = max(gap, 0.0) / 2 / math.sqrt(self.volume / self.radius)
+        return self.touch / (1 + 2.1 * half + 10 * half**2)
+
+    @functools.cache
+    def work(self, gap):
+        """From touch to a gap, up to the rupture [J]."""
+        return quad(self.force, 0, min(gap, self.rupture), epsabs=0, epsrel=1e-12)[0]
