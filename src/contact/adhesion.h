@@ -16,6 +16,7 @@ struct Adhesion {
   bool forms_at_touch = false;
   hamaker::Tail tail{};  ///< of E_tail; none: E_tail is that of an edge without width
 
+  bool attracts() const { return force > 0.0 || tail_energy > 0.0; }
   /// W = E_tail + F_ad H_cut, [energy]: what the pair pays on its way from last touch.
   double well_energy() const { return tail_energy + force * cutoff; }
   /// What it gains on its way to first touch, [energy].
