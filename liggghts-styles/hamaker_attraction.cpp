@@ -150,8 +150,7 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
                                                         const cohesion::advice::Material& material,
                                                         const NormalModelProbe& normal, int itype,
                                                         int jtype) const {
-  // Any particles: the spring is of the types alone.
-  const double stiffness = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;
+  const double stiffness = normal.stiffness(itype, jtype, is_wall_);
   const cohesion::hamaker::Parameters used =
       cohesion::advice::for_stiffness(stiffness, material, real);
   const std::string note = cohesion::advice::scaling_note(stiffness, material, real, used);

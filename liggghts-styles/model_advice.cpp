@@ -38,10 +38,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where the spring is that of the types alone; no other can be given its material.
-constexpr const char* material_words =
-    "'material_stiffness on' with fix property/global materialStiffness";
-
 void take_lighter(LightestParticle& lightest, double radius, double mass) {
   lightest.radius = std::min(lightest.radius, radius);
   lightest.mass = std::min(lightest.mass, mass);
@@ -79,6 +75,10 @@ std::set<int> types_of(const FixWallGran& wall) {
 }
 
 }  // namespace
+
+std::string name_of_wall(const FixWallGran& wall) {
+  return std::string("fix ") + wall.id + " wall/gran";
+}
 
 /// The lightest particles and the fastest.
 void ContactWatch::scan_particles() {
@@ -163,7 +163,7 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
     adhesion_(c, i, j);
-    if (normal_.is_of_types()) c.material_words = material_words;
+    c.material_words = normal_.material_words();
     set_springs(c, i, j, now.run);
     contacts.push_back(c);
   };
@@ -181,6 +181,22 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(
         add(std::to_string(i) + " - " + std::to_string(j), i, j, lightest[j]);
   }
   return contacts;
+}
+
+advice::StickingRules ContactAdvice::sticking_rules(const advice::RunConditions& now) const {
+  advice::StickingRules rules;
+  rules.name = wall_ ? name_of_wall(*wall_) : "pair_style gran";
+  rules.is_exact = exact_;
+  rules.meant_without = true;  // the script gives the strength, 0
+  rules.wall_words =
+      "'" + model_.substr(0, model_.find(' ') + 1) + model_.substr(model_.rfind(' ') + 1) + "'";
+  rules.material_words = std::string(normal_.material_words());
+  for (const advice::AdvisedContact& c : contacts(now)) {
+    if (!c.adhesion.attracts()) continue;
+    rules.adhesion = model_;
+    rules.softenings.push_back({c.material, advice::stiffness_of(c.springs)});
+  }
+  return rules;
 }
 
 void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,

@@ -78,6 +78,15 @@ void NormalModelProbe::connect(PropertyRegistry& registry) {
   model_->connectToProperties(registry);
 }
 
+std::string_view NormalModelProbe::material_words() const {
+  return is_of_types() ? "'material_stiffness on' with fix property/global materialStiffness" : "";
+}
+
+/// Any particles: the spring is of the types alone.
+double NormalModelProbe::stiffness(int itype, int jtype, bool is_wall) const {
+  return is_of_types() ? springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, is_wall}).stiffness : 0.0;
+}
+
 double NormalModelProbe::exponent() const { return model_->stressStrainExponent(); }
 
 /// What the model makes of a contact.

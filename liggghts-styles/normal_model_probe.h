@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "advice/power_law_spring.h"
 #include "contact/normal_law.h"
@@ -48,6 +49,11 @@ class NormalModelProbe {
   const std::string& name() const { return name_; }
   /// Whether spring and dashpot follow from the atom types alone.
   bool is_of_types() const { return name_ == "hooke/stiffness"; }
+
+  /// By which words a script gives the material of such contacts; empty: it cannot.
+  std::string_view material_words() const;
+  /// K of two types where the spring follows from these alone; 0: of no such spring.
+  double stiffness(int itype, int jtype, bool is_wall) const;
 
   /// p of the force F ~ overlap^p.
   double exponent() const;

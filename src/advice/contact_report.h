@@ -47,6 +47,11 @@ struct AdvisedContact {
   double inverse_mass() const { return 1.0 / i.mass + 1.0 / j.mass; }
 };
 
+/// K of a linear spring, or E*.
+inline double stiffness_of(const ContactSprings& s) {
+  return s.exponent == linear_power ? s.stiffness : s.modulus;
+}
+
 /// How many contacts a particle of a run may have at a time.
 enum class Crowd {
   pair,      ///< there are at most two particles
@@ -155,11 +160,6 @@ inline void add(std::vector<SharedNote>& notes, const std::string& sentence,
       return;
     }
   notes.push_back({sentence, {contact}});
-}
-
-/// K of a linear spring, or E*.
-inline double stiffness_of(const ContactSprings& s) {
-  return s.exponent == linear_power ? s.stiffness : s.modulus;
 }
 
 inline std::string over_material_sentence(const AdvisedContact& c, const RunNumbers& run) {

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A wall whose adhesion or softening is not that of the pairs gets a warning that names both, once; walls like the
+pairs, and walls that the script declares without adhesion, none."""
+import unittest
+
+from cohesion_tests.liggghts import Run
+from cohesion_tests.liggghts_scenes import mesh
+from cohesion_tests.liggghts_scenes.scene import (contact, hamaker, liquid_bridge, script, sphere, square_well,
+                                                  surface_energy)
+
+LINEAR, HERTZ = "model hooke/stiffness tangential off", "model hertz tangential off"
+STRENGTHS = {"hamaker": lambda on: hamaker(on * 1e-19, cut=4e-10, out=1e-7), "jkr": lambda on: surface_energy(on * 0.05),
+             "square_well": lambda on: square_well(on * 1e-14), "liquid_bridge": lambda on: liquid_bridge(on * 1e-6, 1e-5)}
+PLATE = "primitive type 2 zplane -5e-3"
+# sjkr and a wall of Hertz's contact need these.
+OF_SJKR = "fix ce all property/global cohesionEnergyDensity peratomtypepair 2 100 100 100 100\n"
+
+
+def base(law):
+    return HERTZ if law == "jkr" else LINEAR
+
+
+class Unlike(unittest.TestCase):
+    def printed(self, pairs, wall, properties, ranks=0, inputs=None):
+        run = Run(script([sphere((0, 0, 0)), sphere((3e-3, 0, 0))], pairs, properties,
+                         wall if isinstance(wall, list) else [f"fix w all wall/gran {wall}"], dt=1e-7,
+                         run="run 2\nrun 2\n"), ranks=ranks, inputs=inputs)
+        self.assertEqual(run.code, 0, run.output)
+        return run.output
+
+    def warned(self, said, *args, **options):
+        output = self.printed(*args, **options)
+        self.assertEqual(output.count(f"WARNING: {said}"), 1, output)
+        self.assertLess(output.index(said), output.index("Step"), output)
+
+    def silent(self, *args, **options):
+        output = self.printed(*args, **options)
+        for word in ("for the wall", "times the", "for both"):
+            self.assertFalse([line for line in output.split("\n") if "WARNING" in line and word in line], output)
+
+
+class Adhesion(Unlike):
+    def none(self, law, wall):
+        return (f"fix {wall} wall/gran has no adhesion, and pair_style gran has that of cohesion model {law}: particles "
+                f"stick to each other, but not to the wall; use 'cohesion {law}' for the wall, or 'cohesion off' if "
+                "nothing shall stick to it")
+
+    def test_missing(self):
+        for law, strength in STRENGTHS.items():
+            for ranks in (0, 2) if law == "hamaker" else (0,):
+                with self.subTest(law, ranks=ranks):
+                    self.warned(self.none(law, "w"), f"{base(law)} cohesion {law}", f"{base(law)} {PLATE}", strength(1),
+                                ranks=ranks)
+
+    def test_missing_at_a_mesh(self):
+        plate = {"plate.stl": mesh.stl(mesh.rectangle((-5e-3, -5e-3, -5e-3), (1e-2, 0, 0), (0, 1e-2, 0)))}
+        for law, strength in STRENGTHS.items():
+            with self.subTest(law):
+                self.warned(self.none(law, "platewall"), f"{base(law)} cohesion {law}", mesh.wall(base(law)),
+                            strength(1), inputs=plate)
+
+    def test_another_law(self):
+        both = STRENGTHS["hamaker"](1) + STRENGTHS["square_well"](1)
+        self.warned("fix w wall/gran has the adhesion of cohesion model square_well, and pair_style gran that of cohesion "
+                    "model hamaker: a particle sticks to the wall and to another particle by different criteria; use "
+                    "'cohesion hamaker' for the wall", f"{LINEAR} cohesion hamaker",
+                    f"{LINEAR} cohesion square_well {PLATE}", both)
+        self.warned("fix w wall/gran has the adhesion of cohesion model sjkr, and pair_style gran that of cohesion model "
+                    "jkr", f"{HERTZ} cohesion jkr", f"{HERTZ} cohesion sjkr {PLATE}", STRENGTHS["jkr"](1) + OF_SJKR)
+
+    def test_right_ones(self):
+        """Also a wall that attracts beside pairs that do not: a plate that catches grains."""
+        for law, strength in STRENGTHS.items():
+            models = f"{base(law)} cohesion {law}"
+            with self.subTest(law):
+                self.silent(models, f"{models} {PLATE}", strength(1))
+                self.silent(models, f"{base(law)} cohesion off {PLATE}", strength(1))
+                self.silent(models, f"{base(law)} {PLATE}", strength(0))
+        self.silent(f"{LINEAR} cohesion hamaker", f"{LINEAR} cohesion hamaker {PLATE}",
+                    hamaker(0, 1e-19, cut=4e-10, out=1e-7))
+
+
+class Softening(Unlike):
+    MODELS = f"{LINEAR} cohesion hamaker"
+
+    def of(self, of_wall):
+        """K is 800 N/m; that of the material is 8e5 N/m between spheres, and `of_wall` beside the wall, of type 2."""
+        return STRENGTHS["hamaker"](1) + ("fix km all property/global materialStiffness peratomtypepair 2 "
+                                          f"8e5 {of_wall} {of_wall} 8e5\n")
+
+    def test_another_material(self):
+        self.warned("fix w wall/gran has 0.1 times the stiffness of the material (f = 0.316), and pair_style gran has 0.001 "
+                    "times the stiffness of the material (f = 0.0316)", f"{self.MODELS} material_stiffness on",
+                    f"{self.MODELS} {PLATE} material_stiffness on", self.of(8e3))
+
+    def test_the_same_material(self):
+        self.silent(f"{self.MODELS} material_stiffness on", f"{self.MODELS} {PLATE} material_stiffness on", self.of(8e5))
+        self.silent(self.MODELS, f"{self.MODELS} {PLATE}", self.of(8e3))
+
+    def test_one_without_material(self):
+        self.warned("pair_style gran has 0.001 times the stiffness of the material (f = 0.0316), by which its adhesion is "
+                    "scaled, and fix w wall/gran has no material: a particle sticks to the wall and to another particle "
+                    "by different criteria; give 'material_stiffness on' with fix property/global materialStiffness "
+                    "for both", f"{self.MODELS} material_stiffness on", f"{self.MODELS} {PLATE}", self.of(8e5))
+
+
+if __name__ == "__main__":
+    unittest.main()
