@@ -66,8 +66,11 @@ class ContactAdvice {
 
   /// ID of the fix of the wall; empty for pairs.
   std::string wall() const;
-  /// Under scheme exact; else sampled.
-  void set_exact(bool exact) { exact_ = exact; }
+  /// Under scheme exact; else sampled. What was said of the other holds no more.
+  void set_exact(bool exact) {
+    if (exact != exact_) warning_filter_ = {};
+    exact_ = exact;
+  }
   bool is_exact() const { return exact_; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A wall whose adhesion or softening is not that of the pairs gets a warning that names both, once; walls like the
-pairs, and walls that the script declares without adhesion, none."""
+pairs, and walls that the script declares without adhesion, none. A wall without scheme has that of the pairs."""
+import math
+import re
 import unittest
 
 from cohesion_tests.liggghts import Run
 from cohesion_tests.liggghts_scenes import mesh
-from cohesion_tests.liggghts_scenes.scene import (contact, hamaker, liquid_bridge, script, sphere, square_well,
-                                                  surface_energy)
+from cohesion_tests.liggghts_scenes.scene import (MASS, RADIUS, STIFFNESS, hamaker, liquid_bridge, script, sphere,
+                                                  square_well, surface_energy)
 
 LINEAR, HERTZ = "model hooke/stiffness tangential off", "model hertz tangential off"
 STRENGTHS = {"hamaker": lambda on: hamaker(on * 1e-19, cut=4e-10, out=1e-7), "jkr": lambda on: surface_energy(on * 0.05),
@@ -102,6 +104,52 @@ class Softening(Unlike):
                     "scaled, and fix w wall/gran has no material: a particle sticks to the wall and to another particle "
                     "by different criteria; give 'material_stiffness on' with fix property/global materialStiffness "
                     "for both", f"{self.MODELS} material_stiffness on", f"{self.MODELS} {PLATE}", self.of(8e5))
+
+
+class SchemeOfThePairs(unittest.TestCase):
+    """A wall without the keyword has the scheme that the pairs have in each run."""
+    STRENGTHS = {"hamaker": hamaker(1e-15, cut=1e-6, out=2e-5), "square_well": square_well(1e-11),
+                 "liquid_bridge": liquid_bridge(1e-4, 2e-5)}
+    PLATES = {"primitive": lambda models: [f"fix platewall all wall/gran {models} primitive type 2 zplane 0"],
+              "mesh": mesh.wall}
+
+    def printed_and_frames(self, models, schemes, law, place, velocity=(0, 0, 0), plate="primitive", new_wall=False,
+                           steps=3000):
+        wall = self.PLATES[plate](models)
+        runs = f"run {steps}\n"
+        for scheme in schemes[1:]:
+            again = f"unfix platewall\n{wall[-1]}\n" if new_wall else ""
+            runs += f"pair_style gran {models} scheme {scheme}\npair_coeff * *\n{again}run {steps}\n"
+        text = script([sphere(place, velocity), sphere((3e-3, 0, 5e-3))], f"{models} scheme {schemes[0]}",
+                      self.STRENGTHS[law], wall, run=runs, dt=1e-6, every=10)
+        run = Run(text, inputs={"plate.stl": mesh.stl(mesh.rectangle((-5e-3, -5e-3, 0), (1e-2, 0, 0), (0, 1e-2, 0)))})
+        self.assertEqual(run.code, 0, run.output)
+        self.assertNotIn("give both the same scheme", run.output)
+        printed = re.findall(r"fix wall/gran platewall, scheme (\w+): what to expect", run.output)
+        self.assertEqual(printed, list(schemes))
+        return [frame[1] for frame in run.frames("out.txt")]
+
+    def test_impact_after_a_change(self):
+        """As with a wall that is made behind the pair_style, bit by bit."""
+        for law in self.STRENGTHS:
+            for plate in self.PLATES if law == "hamaker" else ("primitive",):
+                for schemes in (("exact", "sampled"), ("sampled", "exact")):
+                    with self.subTest(law, schemes=schemes, plate=plate):
+                        models = f"{LINEAR} cohesion {law}"
+                        same, new = (self.printed_and_frames(models, schemes, law, (0, 0, 1.2e-3), (0.01, 0, -0.2), plate,
+                                                             new_wall) for new_wall in (False, True))
+                        self.assertEqual(same, new)
+                        self.assertGreater(same[-1][5], 0.0)  # it has met the wall
+
+    def test_grain_on_the_wall(self):
+        """It swings about its resting overlap F/K as far as at the start, F/K, less the dashpot's; each change moves
+        velocities by half a step, w dt/2 of that with w = sqrt(K/m)."""
+        rest = 1e-15 * RADIUS / (6 * 1e-6**2) / STIFFNESS
+        shift = 0.5e-6 * math.sqrt(STIFFNESS / MASS)
+        frames = self.printed_and_frames(f"{LINEAR} cohesion hamaker", ("exact", "sampled", "exact"), "hamaker",
+                                         (0, 0, RADIUS), steps=300)
+        self.assertLess(max(abs(RADIUS - frame[2] - rest) for frame in frames), (1 + 2.5 * shift) * rest)
+        self.assertGreater(max(RADIUS - frame[2] for frame in frames), rest)
 
 
 if __name__ == "__main__":
