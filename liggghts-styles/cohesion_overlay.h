@@ -48,6 +48,7 @@ namespace ContactModels {
 ///   contact_law(normal, i, j, ri, rj)
 ///                                  of scheme exact, made of the engine's normal law
 ///   material(i, j)                 that a contact of two types stands for
+///   material_words(normal)         by which a script gives it; empty: it cannot
 ///   doubt(i, j)                    what to say of numbers that no material has; empty: nothing
 ///   range()                        how far it must see (contact_range.h)
 ///   is_active()                    false: all types have strength 0, and nothing is remembered
@@ -254,6 +255,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         [this](cohesion::advice::AdvisedContact& c, int i, int j) {
           c.adhesion = attraction_.adhesion(i, j, c.i.radius, c.j.radius);
           c.material = attraction_.material(i, j);
+          c.material_words = attraction_.material_words(*normal_);
           c.doubt = attraction_.doubt(i, j);
         },
         [this](const auto& normal, int i, int j, double ri, double rj) {

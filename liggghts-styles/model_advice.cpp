@@ -163,7 +163,6 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
     adhesion_(c, i, j);
-    c.material_words = normal_.material_words();
     set_springs(c, i, j, now.run);
     contacts.push_back(c);
   };
@@ -190,10 +189,10 @@ advice::StickingRules ContactAdvice::sticking_rules(const advice::RunConditions&
   rules.meant_without = true;  // the script gives the strength, 0
   rules.wall_words =
       "'" + model_.substr(0, model_.find(' ') + 1) + model_.substr(model_.rfind(' ') + 1) + "'";
-  rules.material_words = std::string(normal_.material_words());
   for (const advice::AdvisedContact& c : contacts(now)) {
     if (!c.adhesion.attracts()) continue;
     rules.adhesion = model_;
+    rules.material_words = std::string(c.material_words);
     rules.softenings.push_back({c.material, advice::stiffness_of(c.springs)});
   }
   return rules;
@@ -215,6 +214,7 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
     c.springs =
         normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
                                                       advice::touching_speed(run, c)));
+    c.springs.modulus = normal_.stiffness(itype, jtype, wall_ != nullptr);
     const cohesion::contact::NormalLaw law =
         contact_law_(c.springs.hertz(c.reduced_mass()), itype, jtype, c.i.radius, c.j.radius);
     if (const auto* const jkr = std::get_if<cohesion::contact::JkrSpringDashpot>(&law))

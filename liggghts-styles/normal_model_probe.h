@@ -49,10 +49,14 @@ class NormalModelProbe {
   const std::string& name() const { return name_; }
   /// Whether spring and dashpot follow from the atom types alone.
   bool is_of_types() const { return name_ == "hooke/stiffness"; }
+  /// Whether they follow from Young's moduli and Poisson's ratios.
+  bool is_of_moduli() const { return name_ == "hertz"; }
 
-  /// By which words a script gives the material of such contacts; empty: it cannot.
+  /// The keyword by which a script gives the material of such contacts, and with its property;
+  /// empty: it cannot.
+  std::string_view material_keyword() const;
   std::string_view material_words() const;
-  /// K of two types where the spring follows from these alone; 0: of no such spring.
+  /// Of two types, where their material can be given: K, or E* of Hertz's contact; else 0.
   double stiffness(int itype, int jtype, bool is_wall) const;
 
   /// p of the force F ~ overlap^p.

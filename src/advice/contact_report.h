@@ -190,7 +190,7 @@ inline void add_softness(Report& report, const std::string& style,
     // JKR's spring and adhesion are one, which no numbers of the contact tell apart.
     if (!c.material.is_given() && !c.springs.jkr && softness_decides(numbers(c, run)))
       add(soft, softness_advice(c.material_words), c.name);
-    if (c.material.is_given() && c.material.stiffness != stiffness_of(c.springs))
+    if (c.material.is_given() && !is_of_material(c.material, stiffness_of(c.springs)))
       add(scaled, over_material_sentence(c, run), c.name);
   }
   for (const SharedNote& note : scaled)

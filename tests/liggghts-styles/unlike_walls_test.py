@@ -95,6 +95,22 @@ class Softening(Unlike):
                     "times the stiffness of the material (f = 0.0316)", f"{self.MODELS} material_stiffness on",
                     f"{self.MODELS} {PLATE} material_stiffness on", self.of(8e3))
 
+    def test_another_modulus(self):
+        """E is 5e6 Pa for all; of a wall of E_m2 the reduced modulus of the material is the harmonic mean of both."""
+        for law in ("hamaker", "jkr"):
+            models = f"{HERTZ} cohesion {law}"
+
+            def properties(of_wall):
+                return STRENGTHS[law](1) + f"fix Em all property/global materialYoungsModulus peratomtype 5e9 {of_wall}\n"
+            with self.subTest(law):
+                self.warned("fix w wall/gran has 0.01 times the modulus E* of the material (f = 0.158), and pair_style gran "
+                            "has 0.001 times the modulus E* of the material (f = 0.0631)", f"{models} material_modulus on",
+                            f"{models} {PLATE} material_modulus on", properties(5e9 / 19))
+                self.warned("pair_style gran has 0.001 times the modulus E* of the material (f = 0.0631), by which its "
+                            "adhesion is scaled, and fix w wall/gran has no material", f"{models} material_modulus on",
+                            f"{models} {PLATE}", properties(5e9))
+                self.silent(f"{models} material_modulus on", f"{models} {PLATE} material_modulus on", properties(5e9))
+
     def test_the_same_material(self):
         self.silent(f"{self.MODELS} material_stiffness on", f"{self.MODELS} {PLATE} material_stiffness on", self.of(8e5))
         self.silent(self.MODELS, f"{self.MODELS} {PLATE}", self.of(8e3))
