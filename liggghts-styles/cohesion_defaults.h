@@ -3,10 +3,12 @@
 #define COHESION_COHESION_DEFAULTS_H
 
 #include <string>
+#include <string_view>
 
 #include "advice/stiffness_scaling.h"
 #include "contact/normal_law.h"
 #include "contact_interface.h"
+#include "normal_model_probe.h"
 #include "settings.h"
 
 namespace LIGGGHTS {
@@ -29,6 +31,7 @@ struct CohesionDefaults {
     return normal;
   }
   static cohesion::advice::Material material(int, int) { return {}; }
+  static std::string_view material_words(const NormalModelProbe&) { return ""; }
   static std::string doubt(int, int) { return ""; }
 };
 

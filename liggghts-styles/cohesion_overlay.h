@@ -48,6 +48,7 @@ namespace ContactModels {
 ///   contact_law(normal, i, j, ri, rj)
 ///                                  of scheme exact, made of the engine's normal law
 ///   material(i, j)                 that a contact of two types stands for
+///   material_words(normal)         by which a script gives it; empty: it cannot
 ///   doubt(i, j)                    what to say of numbers that no material has; empty: nothing
 ///   range()                        how far it must see (contact_range.h)
 ///   is_active()                    false: all types have strength 0, and nothing is remembered
@@ -88,7 +89,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (scheme_ == Cohesion::SchemeChoice::none && !wall_)
       Cohesion::tell_of_restart_files(lmp, name());
     if (scheme_ != Cohesion::SchemeChoice::sampled)
-      exact_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
+      exact_contacts_ = std::make_unique<Cohesion::ExactContacts>(lmp, owner, wall_, name());
+    has_scheme_of_pairs_ =
+        wall_ && Attraction::HAS_SAMPLED && scheme_ == Cohesion::SchemeChoice::none;
   }
 
   void connectToProperties(PropertyRegistry& registry) override {
@@ -194,23 +197,26 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     near.has_force_update = true;
   }
 
-  /// Without a keyword the scheme is exact where the contact model allows it, and a wall has that
-  /// of the pairs. What is chosen stays for later runs.
+  /// Without a keyword the scheme is exact where the contact model allows it, which stays for later
+  /// runs; a wall has that of the pairs of each run.
   void choose_scheme(int types) {
     using Choice = Cohesion::SchemeChoice;
-    const bool has_scheme_of_pairs = scheme_ == Choice::none && wall_ && Attraction::HAS_SAMPLED;
-    if (has_scheme_of_pairs && !Cohesion::pairs_are_exact(lmp)) scheme_ = Choice::sampled;
-    if (scheme_ != Choice::sampled)
+    if (has_scheme_of_pairs_)
+      scheme_ = Cohesion::pairs_are_exact(lmp) ? Choice::none : Choice::sampled;
+    if (scheme_ != Choice::sampled) {
       scheme_ = Cohesion::scheme_of(lmp, name(), wall_, scheme_, obstacle_to_exact(types),
                                     Attraction::HAS_SAMPLED);
-    if (!is_exact()) exact_.reset();
+      if (!is_exact()) has_scheme_of_pairs_ = false;
+    }
+    exact_ = is_exact() ? exact_contacts_.get() : nullptr;
     advice_->set_exact(is_exact());
   }
   /// Why scheme exact is impossible; empty: it is possible.
   std::string obstacle_to_exact(int types) const {
-    return exact_ ? exact_->obstacle(*normal_, types)
-                  : "a restart file stores no keywords of contact models; repeat pair_style gran "
-                    "and fix wall/gran behind read_restart";
+    return exact_contacts_
+               ? exact_contacts_->obstacle(*normal_, types)
+               : "a restart file stores no keywords of contact models; repeat pair_style gran "
+                 "and fix wall/gran behind read_restart";
   }
 
   void connect_exact(PropertyRegistry& registry) {
@@ -249,6 +255,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         [this](cohesion::advice::AdvisedContact& c, int i, int j) {
           c.adhesion = attraction_.adhesion(i, j, c.i.radius, c.j.radius);
           c.material = attraction_.material(i, j);
+          c.material_words = attraction_.material_words(*normal_);
           c.doubt = attraction_.doubt(i, j);
         },
         [this](const auto& normal, int i, int j, double ri, double rj) {
@@ -324,8 +331,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   PairGran* pair_;     // null for walls
   Attraction attraction_;
   Cohesion::SchemeChoice scheme_ = Cohesion::SchemeChoice::none;
-  bool slides_ = false;                             // over a spring
-  std::unique_ptr<Cohesion::ExactContacts> exact_;  // null: scheme sampled
+  bool slides_ = false;  // over a spring
+  bool has_scheme_of_pairs_ = false;
+  std::unique_ptr<Cohesion::ExactContacts> exact_contacts_;  // null: never of scheme exact
+  Cohesion::ExactContacts* exact_ = nullptr;                 // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::ModelEnergyTally> tally_;  // null: none is kept

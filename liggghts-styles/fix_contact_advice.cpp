@@ -14,10 +14,12 @@
 #include "common/unmoved_spheres.h"
 #include "common/unturned_spheres.h"
 #include "error.h"
+#include "fix_wall_gran.h"
 #include "force.h"
 #include "integrated_particles.h"
 #include "liggghts_api.h"
 #include "pair_gran.h"
+#include "unknown_models.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -95,7 +97,6 @@ void FixContactAdvice::setup_pre_force(int) {
   if (exact || !warned_of_partly_held_)
     warned_of_partly_held_ = LAMMPS_NS::require_whole_holds(lmp, "cohesion", exact);
   warn_of_unmoved();
-  warn_of_mixed_schemes();
   auto* const pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
   if (!pair) return;
   freeze(*pair, held_->held().held_by_one_fix());
@@ -139,25 +140,33 @@ void FixContactAdvice::warn_of_unmoved() {
   warned_of_unmoved_ = LAMMPS_NS::warn_of_unmoved(lmp, announced);
 }
 
-/// Of walls of scheme sampled where that of the pairs is exact; the reverse stops a run that begins
-/// with it. A warning that was given is not given again.
-void FixContactAdvice::warn_of_mixed_schemes() {
-  if (warned_of_mixed_schemes_) return;
-  std::shared_ptr<ContactAdvice> pairs;
-  for (const auto& asked : asked_)
-    if (const auto advice = asked.lock())
-      if (advice->wall().empty()) pairs = advice;
-  if (!pairs) return;
+/// Of walls that decide by other rules than the pairs which particles stick, those with a cohesion
+/// of the engine or none among them. A warning that was given is not given again.
+void FixContactAdvice::warn_of_unlike_walls() {
+  std::vector<cohesion::advice::StickingRules> pairs, walls;
+  std::set<std::string> known;
   for (const auto& asked : asked_) {
-    const auto wall = asked.lock();
-    if (!wall || wall->wall().empty() || wall->is_exact() == pairs->is_exact()) continue;
-    warned_of_mixed_schemes_ = true;
-    const std::string name = "fix " + wall->wall() + " wall/gran";
-    const std::string mixed =
-        LAMMPS_NS::mixed_schemes(name, "pair_style gran", wall->is_exact(),
-                                 "a wall without the keyword has that of the pairs");
-    if (comm->me == 0) error->warning(FLERR, mixed.c_str());
+    const auto advice = asked.lock();
+    if (!advice) continue;
+    (advice->wall().empty() ? pairs : walls).push_back(advice->sticking_rules(changes_.now()));
+    known.insert(advice->wall());
   }
+  if (pairs.empty()) return;
+  for (int k = 0; k < modify->nfix; k++) {
+    const auto* const wall = dynamic_cast<const LAMMPS_NS::FixWallGran*>(modify->fix[k]);
+    if (!wall || known.count(wall->id)) continue;
+    const std::string word = cohesion_word_of(wall);
+    cohesion::advice::StickingRules rules;
+    rules.name = name_of_wall(*wall);
+    rules.is_exact = pairs.front().is_exact;  // it has no scheme
+    rules.meant_without = word == "off";
+    if (!word.empty() && word != "off") rules.adhesion = "cohesion model " + word;
+    rules.without_words = "'cohesion off'";
+    walls.push_back(rules);
+  }
+  for (const std::string& text : cohesion::advice::warnings_of_walls(
+           walls, pairs, "a wall without the keyword has that of the pairs"))
+    if (warned_of_walls_.insert(text).second && comm->me == 0) error->warning(FLERR, text.c_str());
 }
 
 int FixContactAdvice::setmask() {

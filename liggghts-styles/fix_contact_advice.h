@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   void setup_pre_force(int) override;
   void setup(int) override {
     advise_if_due(true);
+    warn_of_unlike_walls();
     warn_of_spins();
     post_force(0);
   }
@@ -53,14 +55,15 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   void advise_if_due(bool setup);
   void warn_of_spins();
   void warn_of_unmoved();
-  void warn_of_mixed_schemes();
+  void warn_of_unlike_walls();
 
   ContactWatch changes_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
   std::optional<MobileParticles> held_;  // as the run began
   bool warned_of_unturned_ = false, warned_of_held_ = false, warned_of_partly_held_ = false;
-  bool warned_of_unmoved_ = false, warned_of_mixed_schemes_ = false;
+  bool warned_of_unmoved_ = false;
+  std::set<std::string> warned_of_walls_;  // what was said of them
 };
 
 }  // namespace Cohesion

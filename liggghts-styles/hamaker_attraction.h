@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "advice/known_materials.h"
@@ -16,6 +17,7 @@
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
+#include "material_of_types.h"
 #include "normal_model_probe.h"
 #include "settings.h"
 #include "sphere.h"
@@ -32,15 +34,15 @@ class HamakerAttraction : public CohesionDefaults {
   using Solver = cohesion::contact_solver::ContactSolver;
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
-      : lmp_(lmp), is_wall_(wall != nullptr) {}
+      : lmp_(lmp), is_wall_(wall != nullptr), materials_(lmp, MODEL, wall != nullptr) {}
 
-  /// Keywords material_stiffness and material_keep.
-  void registerSettings(Settings& settings);
+  /// Keywords of the material.
+  void registerSettings(Settings& settings) { materials_.registerSettings(settings, true); }
 
   /// Reads fix property/global hamakerConstant (peratomtypepair), hamakerSurfaceCutoff and
-  /// hamakerOuterCutoff (scalar), and materialStiffness (peratomtypepair) when the adhesion is to
-  /// be scaled; what was done is printed. A parameter that cannot be right stops the engine with
-  /// the types and the values given.
+  /// hamakerOuterCutoff (scalar), and the material when the adhesion is to be scaled; what was done
+  /// is printed. A parameter that cannot be right stops the engine with the types and the values
+  /// given.
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   /// Stops the engine where scheme exact would turn pairs wrongly (contact_solver/turning.h).
@@ -63,9 +65,12 @@ class HamakerAttraction : public CohesionDefaults {
                                           geometry(!std::isfinite(rj), ri, rj));
   }
 
-  /// Told where material_stiffness is on.
+  /// Given where material_stiffness or material_modulus is on.
   cohesion::advice::Material material(int itype, int jtype) const {
     return materials_.of(itype, jtype);
+  }
+  static std::string_view material_words(const NormalModelProbe& normal) {
+    return normal.material_words();
   }
   std::string doubt(int itype, int jtype) const {
     return cohesion::advice::above_hamaker_constants(constants_.of(itype, jtype),
@@ -91,20 +96,17 @@ class HamakerAttraction : public CohesionDefaults {
   static cohesion::PairGeometry geometry(bool is_wall, double ri, double rj) {
     return is_wall ? cohesion::sphere_and_plane(ri) : cohesion::two_spheres(ri, rj);
   }
-  cohesion::hamaker::Parameters scaled(const cohesion::hamaker::Parameters&,
-                                       const cohesion::advice::Material&, const NormalModelProbe&,
-                                       int itype, int jtype) const;
+  cohesion::hamaker::Parameters scaled(const cohesion::hamaker::Parameters&, int itype,
+                                       int jtype) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool is_wall_;
   std::vector<double> smallest_radii_;  // by type
   TableOfTypes<Law> laws_;
   TableOfTypes<double> constants_;  // as given
-  TableOfTypes<cohesion::advice::Material> materials_;
+  MaterialOfTypes materials_;
   double outer_cutoff_ = 0.0;
   bool is_active_ = false;
-  bool has_material_ = false;
-  cohesion::advice::Keep keep_ = cohesion::advice::Keep::escape_velocity;
 };
 
 }  // namespace Cohesion

@@ -53,10 +53,17 @@ void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& 
   double** energy = registry.getMatrixProperty(energy_property, asked_for_by)->data;
   const double largest = registry.max_radius();
   longest_neck_ = 0.0;
+  materials_.connect(registry, normal);
+  const auto given = [&](int i, int j) {
+    const std::string of_material = materials_.shown(i, j);
+    return shown(energy_property, energy[i][j]) + (of_material.empty() ? "" : ", " + of_material);
+  };
+  energies_.fill(
+      lmp_, MODEL, registry.max_type(), [&](int i, int j) { return energy[i][j]; }, given);
   works_of_adhesion_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        const double work = cohesion::contact::work_of_adhesion(energy[i][j]);
+        const double work = scaled(cohesion::contact::work_of_adhesion(energy[i][j]), i, j);
         const auto hertz = std::get<cohesion::contact::HertzSpringDashpot>(
             normal.law({i, j, largest, largest, 1.0, 0.0, is_wall_}));
         const double partner = is_wall_ ? std::numeric_limits<double>::infinity() : largest;
@@ -64,7 +71,16 @@ void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& 
         longest_neck_ = std::max(longest_neck_, -cohesion::contact::lowest_overlap(law));
         return work;
       },
-      [&](int i, int j) { return shown(energy_property, energy[i][j]); });
+      given);
+}
+
+double JkrAttraction::scaled(double real, int itype, int jtype) const {
+  if (real == 0.0) return 0.0;
+  const double modulus = materials_.stiffness(itype, jtype);
+  const cohesion::advice::Material material = materials_.of(itype, jtype);
+  const double used = cohesion::advice::for_stiffness(modulus, material, real);
+  materials_.tell(itype, jtype, cohesion::advice::scaling_note(modulus, material, real, used));
+  return used;
 }
 
 ContactRange JkrAttraction::range() const {
@@ -84,9 +100,8 @@ cohesion::contact::Adhesion JkrAttraction::adhesion(int itype, int jtype, double
 }
 
 std::string JkrAttraction::doubt(int itype, int jtype) const {
-  return cohesion::advice::above_surface_energies(
-      cohesion::contact::surface_energy(works_of_adhesion_.of(itype, jtype)),
-      LAMMPS_NS::si_units(lmp_));
+  return cohesion::advice::above_surface_energies(energies_.of(itype, jtype),
+                                                  LAMMPS_NS::si_units(lmp_));
 }
 
 cohesion::contact::NormalLaw JkrAttraction::contact_law(const cohesion::contact::NormalLaw& hertz,

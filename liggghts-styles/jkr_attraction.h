@@ -3,6 +3,7 @@
 #define COHESION_JKR_ATTRACTION_H
 
 #include <string>
+#include <string_view>
 
 #include "cohesion_defaults.h"
 #include "contact/adhesion.h"
@@ -10,6 +11,7 @@
 #include "contact_solver/jkr_solver.h"
 #include "encounter.h"
 #include "lammps.h"
+#include "material_of_types.h"
 #include "normal_model_probe.h"
 #include "table_of_types.h"
 
@@ -26,9 +28,13 @@ class JkrAttraction : public CohesionDefaults {
   using Solver = cohesion::contact_solver::JkrSolver;
 
   JkrAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
-      : lmp_(lmp), is_wall_(wall != nullptr) {}
+      : lmp_(lmp), is_wall_(wall != nullptr), materials_(lmp, MODEL, wall != nullptr) {}
 
-  /// Reads fix property/global surfaceEnergy (peratomtypepair) [energy/length^2]. A parameter that
+  /// Keywords of the material.
+  void registerSettings(Settings& settings) { materials_.registerSettings(settings, false); }
+
+  /// Reads fix property/global surfaceEnergy (peratomtypepair) [energy/length^2], and the material
+  /// when the adhesion is to be scaled; what was done is printed. A parameter that
   /// cannot be right stops the engine with the types and the values given, and so does another
   /// normal model than hertz.
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
@@ -43,6 +49,13 @@ class JkrAttraction : public CohesionDefaults {
   cohesion::contact::NormalLaw contact_law(const cohesion::contact::NormalLaw& hertz, int itype,
                                            int jtype, double ri, double rj) const;
 
+  /// Given where material_modulus is on.
+  cohesion::advice::Material material(int itype, int jtype) const {
+    return materials_.of(itype, jtype);
+  }
+  static std::string_view material_words(const NormalModelProbe& normal) {
+    return normal.material_words();
+  }
   std::string doubt(int itype, int jtype) const;
 
   // Scheme sampled does not exist.
@@ -54,9 +67,14 @@ class JkrAttraction : public CohesionDefaults {
   static constexpr double energy(int, int, double, double, double, bool) { return 0.0; }
 
  private:
+  /// The work of adhesion of a contact, from that of its material.
+  double scaled(double real, int itype, int jtype) const;
+
   LAMMPS_NS::LAMMPS* lmp_;
   bool is_wall_;
-  TableOfTypes<double> works_of_adhesion_;
+  MaterialOfTypes materials_;
+  TableOfTypes<double> works_of_adhesion_;  // scaled, if wished
+  TableOfTypes<double> energies_;           // as given
   double longest_neck_ = 0.0;
 };
 

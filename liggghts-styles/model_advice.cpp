@@ -38,10 +38,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where the spring is that of the types alone; no other can be given its material.
-constexpr const char* material_words =
-    "'material_stiffness on' with fix property/global materialStiffness";
-
 void take_lighter(LightestParticle& lightest, double radius, double mass) {
   lightest.radius = std::min(lightest.radius, radius);
   lightest.mass = std::min(lightest.mass, mass);
@@ -79,6 +75,10 @@ std::set<int> types_of(const FixWallGran& wall) {
 }
 
 }  // namespace
+
+std::string name_of_wall(const FixWallGran& wall) {
+  return std::string("fix ") + wall.id + " wall/gran";
+}
 
 /// The lightest particles and the fastest.
 void ContactWatch::scan_particles() {
@@ -163,7 +163,6 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
     adhesion_(c, i, j);
-    if (normal_.is_of_types()) c.material_words = material_words;
     set_springs(c, i, j, now.run);
     contacts.push_back(c);
   };
@@ -183,6 +182,22 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(
   return contacts;
 }
 
+advice::StickingRules ContactAdvice::sticking_rules(const advice::RunConditions& now) const {
+  advice::StickingRules rules;
+  rules.name = wall_ ? name_of_wall(*wall_) : "pair_style gran";
+  rules.is_exact = exact_;
+  rules.meant_without = true;  // the script gives the strength, 0
+  rules.wall_words =
+      "'" + model_.substr(0, model_.find(' ') + 1) + model_.substr(model_.rfind(' ') + 1) + "'";
+  for (const advice::AdvisedContact& c : contacts(now)) {
+    if (!c.adhesion.attracts()) continue;
+    rules.adhesion = model_;
+    rules.material_words = std::string(c.material_words);
+    rules.softenings.push_back({c.material, advice::stiffness_of(c.springs)});
+  }
+  return rules;
+}
+
 void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
                                 const advice::RunNumbers& run) const {
   const NormalModelProbe::Pair pair{itype,
@@ -199,6 +214,7 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
     c.springs =
         normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
                                                       advice::touching_speed(run, c)));
+    c.springs.modulus = normal_.stiffness(itype, jtype, wall_ != nullptr);
     const cohesion::contact::NormalLaw law =
         contact_law_(c.springs.hertz(c.reduced_mass()), itype, jtype, c.i.radius, c.j.radius);
     if (const auto* const jkr = std::get_if<cohesion::contact::JkrSpringDashpot>(&law))

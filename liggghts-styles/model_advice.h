@@ -8,6 +8,7 @@
 
 #include "advice/change_detector.h"
 #include "advice/contact_report.h"
+#include "advice/unlike_walls.h"
 #include "advice/warning_filter.h"
 #include "contact/adhesion.h"
 #include "normal_model_probe.h"
@@ -41,6 +42,9 @@ class ContactWatch {
   cohesion::advice::ChangeDetector changes_;
 };
 
+/// As messages call it.
+std::string name_of_wall(const LAMMPS_NS::FixWallGran& wall);
+
 /// What a contact model has to say of a run before it can go wrong: the table of numbers that
 /// decide whether the run can be right, warnings, and an error where it must blow up
 /// (src/advice/contact_report.h); no table and no warning twice.
@@ -57,10 +61,16 @@ class ContactAdvice {
   /// What there is to say, but for which walls; stands in their place.
   cohesion::advice::Report report(const cohesion::advice::RunConditions& now);
   static constexpr const char* WALLS = "\x01";
+  /// What decides which particles stick, in the contacts of those that are there.
+  cohesion::advice::StickingRules sticking_rules(const cohesion::advice::RunConditions& now) const;
+
   /// ID of the fix of the wall; empty for pairs.
   std::string wall() const;
-  /// Under scheme exact; else sampled.
-  void set_exact(bool exact) { exact_ = exact; }
+  /// Under scheme exact; else sampled. What was said of the other holds no more.
+  void set_exact(bool exact) {
+    if (exact != exact_) warning_filter_ = {};
+    exact_ = exact;
+  }
   bool is_exact() const { return exact_; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.

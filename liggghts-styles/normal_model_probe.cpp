@@ -78,6 +78,24 @@ void NormalModelProbe::connect(PropertyRegistry& registry) {
   model_->connectToProperties(registry);
 }
 
+std::string_view NormalModelProbe::material_keyword() const {
+  return is_of_types() ? "material_stiffness" : is_of_moduli() ? "material_modulus" : "";
+}
+
+std::string_view NormalModelProbe::material_words() const {
+  return is_of_types()    ? "'material_stiffness on' with fix property/global materialStiffness"
+         : is_of_moduli() ? "'material_modulus on' with fix property/global materialYoungsModulus"
+                          : "";
+}
+
+/// Of particles of radius 1: neither number depends on their size.
+double NormalModelProbe::stiffness(int itype, int jtype, bool is_wall) const {
+  const Pair pair{itype, jtype, 1.0, 1.0, 1.0, 0.0, is_wall};
+  if (is_of_types()) return springs(pair).stiffness;
+  if (!is_of_moduli()) return 0.0;
+  return springs(pair).hertz(pair.reduced_mass).reduced_modulus(is_wall ? 1.0 : 0.5);
+}
+
 double NormalModelProbe::exponent() const { return model_->stressStrainExponent(); }
 
 /// What the model makes of a contact.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "advice/power_law_spring.h"
 #include "contact/normal_law.h"
@@ -48,6 +49,15 @@ class NormalModelProbe {
   const std::string& name() const { return name_; }
   /// Whether spring and dashpot follow from the atom types alone.
   bool is_of_types() const { return name_ == "hooke/stiffness"; }
+  /// Whether they follow from Young's moduli and Poisson's ratios.
+  bool is_of_moduli() const { return name_ == "hertz"; }
+
+  /// The keyword by which a script gives the material of such contacts, and with its property;
+  /// empty: it cannot.
+  std::string_view material_keyword() const;
+  std::string_view material_words() const;
+  /// Of two types, where their material can be given: K, or E* of Hertz's contact; else 0.
+  double stiffness(int itype, int jtype, bool is_wall) const;
 
   /// p of the force F ~ overlap^p.
   double exponent() const;

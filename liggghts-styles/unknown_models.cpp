@@ -122,6 +122,24 @@ std::string not_combined(const std::vector<std::pair<const Kind*, std::string>>&
   return "";
 }
 
+/// The cohesion model that the words name; empty: they name none.
+std::string cohesion_in(const std::vector<std::pair<const Kind*, std::string>>& models) {
+  for (const auto& [kind, name] : models)
+    if (kind->word == "cohesion") return name;
+  return "";
+}
+
+/// By pair style or fix of a wall; of one that is gone until another is in its place.
+std::map<const void*, std::string>& known_cohesion_words() {
+  static std::map<const void*, std::string> words;
+  return words;
+}
+
+char* const*& known_end() {
+  static char* const* end = nullptr;
+  return end;
+}
+
 using Selector = int64_t (*)(int& narg, char**& arg, Custom_contact_models custom);
 using Selectors = std::map<std::string, Selector>;
 template <class Style>
@@ -178,21 +196,33 @@ struct Named {
 
   static int64_t select(int& narg, char**& arg, Custom_contact_models custom) {
     const auto models = models_in(narg, arg);
+    known_end() = arg + narg;
     const int64_t hash = engine_select(narg, arg, custom);
+    cohesion_word = cohesion_in(models);
     wrong = hash == -1 ? unknown(models, custom) : not_combined(models);
     return wrong.empty() ? hash : ANY;
   }
   static Style* create(LAMMPS* lmp, typename Style::ParentType* parent, int64_t hash) {
     if (!wrong.empty()) lmp->error->all(FLERR, wrong.c_str());
+    // A restart file has no words.
+    known_cohesion_words()[parent] = std::exchange(cohesion_word, "");
     return engine_create(lmp, parent, hash);
   }
 
   static inline Selector engine_select = nullptr;
   static inline Creator<Style> engine_create = nullptr;
   static inline std::string wrong;
+  static inline std::string cohesion_word;
 };
 
 }  // namespace
+
+std::string cohesion_word_of(const void* style) {
+  const auto found = known_cohesion_words().find(style);
+  return found == known_cohesion_words().end() ? "" : found->second;
+}
+
+char* const* end_of_words() { return known_end(); }
 
 void name_unknown_models() {
   Named<PairStyles::IGranularPairStyle>::put_before(PairStyles::Factory::instance());

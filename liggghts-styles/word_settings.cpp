@@ -12,11 +12,39 @@
 #include "modify.h"
 #include "named_table.h"
 #include "settings.h"
+#include "unknown_models.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
 namespace {
+
+using Table = std::map<std::string, Setting*>;
+
+/// A keyword that is the last word of its line. The engine's settings read a value behind each
+/// keyword and are passed no count.
+class LastWord : public Setting {
+ public:
+  /// Its name is the first of any table: it sees each word before the others.
+  static constexpr const char* NAME = "";
+
+  LastWord(const std::string& model, const Table& table)
+      : Setting(NAME, 0), model_(model), table_(table) {}
+
+  int parseArguments(char** args) override {
+    if (args + 1 != end_of_words()) return 0;
+    const auto found = table_.find(args[0]);
+    if (found == table_.end() || found->second->num_params == 0) return 0;
+    error_message = model_ + ": keyword '" + found->first + "' needs a value behind it" +
+                    (found->first == "scheme" ? ", exact or sampled" : "");
+    return -1;
+  }
+  void print_value(FILE*) override {}
+
+ private:
+  std::string model_;
+  const Table& table_;
+};
 
 class SchemeSetting : public Setting {
  public:
@@ -92,8 +120,6 @@ class KeepSetting : public Setting {
   cohesion::advice::Keep& keep_;
 };
 
-using Table = std::map<std::string, Setting*>;
-
 /// The engine's table of settings takes words of its own kinds only; an explicit instantiation may
 /// name its private member. There may be one in the program only: not in a header.
 Table& table_of(Settings& settings);
@@ -107,10 +133,12 @@ template struct TableOfSettings<&Settings::settings>;
 
 void register_scheme(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
                      SchemeChoice& choice) {
-  table_of(settings)["scheme"] = new SchemeSetting(lmp, model, choice);  // settings owns it
+  Table& table = table_of(settings);  // settings owns its rows
+  table[LastWord::NAME] = new LastWord(model, table);
+  table["scheme"] = new SchemeSetting(lmp, model, choice);
   for (const char* const word :
        {"primitive", "mesh", "model", "tangential", "cohesion", "rolling_friction", "surface"})
-    table_of(settings)[word] = new MisplacedSetting(model, word);
+    table[word] = new MisplacedSetting(model, word);
 }
 
 SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,

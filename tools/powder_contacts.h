@@ -119,7 +119,7 @@ struct PowderContacts {
       lines.push_back(of_types("wellRatio", well_ratio, 1.0));  // a wall's is not used
       return lines;
     }
-    append_liggghts_attraction(lines, hamaker);
+    append_liggghts_attraction(lines);
     if (tells_material())
       lines.push_back(matrix("materialStiffness", [&](const Pair&) { return material.stiffness; }));
     return lines;
@@ -136,8 +136,10 @@ struct PowderContacts {
   std::string liggghts_keywords() const {
     std::string words =
         is_elastic() ? "tangential_damping on" : "absolute_damping on tangential_damping on";
-    if (tells_material() && !is_elastic())
-      words += " material_stiffness on material_keep " + kept();
+    if (tells_material())
+      words += (is_elastic() ? " material_modulus on material_keep "
+                             : " material_stiffness on material_keep ") +
+               kept();
     return words;
   }
 
@@ -188,7 +190,7 @@ struct PowderContacts {
                    attraction));
   }
 
-  /// Of model hertz, whose material the engine does not scale from: the attraction is scaled here.
+  /// Of model hertz.
   std::vector<std::string> liggghts_hertz() const {
     std::vector<std::string> lines;
     // Outside of what the engine takes for plausible.
@@ -200,24 +202,20 @@ struct PowderContacts {
         matrix("coefficientRestitution", [&](const Pair&) { return restitution; }),
         matrix("coefficientFriction", [&](const Pair&) { return friction; })};
     lines.insert(lines.end(), properties.begin(), properties.end());
-    const advice::Material real{elastic.of_material, material.keep, advice::hertz_power};
-    // Of two of one material E* goes with E.
-    if (is_jkr()) {
-      const double energy = advice::for_stiffness(elastic.young, real, elastic.surface_energy);
-      lines.push_back(matrix("surfaceEnergy", [&](const Pair&) { return energy; }));
-      return lines;
-    }
-    if (hamaker.hamaker_constant == 0.0) return lines;
-    append_liggghts_attraction(lines, advice::for_stiffness(elastic.young, real, hamaker));
+    if (is_jkr())
+      lines.push_back(matrix("surfaceEnergy", [&](const Pair&) { return elastic.surface_energy; }));
+    else if (hamaker.hamaker_constant > 0.0)
+      append_liggghts_attraction(lines);
+    if (tells_material())
+      lines.push_back(of_types("materialYoungsModulus", elastic.of_material, elastic.of_material));
     return lines;
   }
 
-  void append_liggghts_attraction(std::vector<std::string>& lines,
-                                  const hamaker::Parameters& used) const {
+  void append_liggghts_attraction(std::vector<std::string>& lines) const {
     lines.push_back(matrix("hamakerConstant",
-                           [&](const Pair& p) { return smooth_constant(used, p.geometry); }));
-    lines.push_back(scalar("hamakerSurfaceCutoff", used.surface_cutoff));
-    lines.push_back(scalar("hamakerOuterCutoff", used.outer_cutoff));
+                           [&](const Pair& p) { return smooth_constant(hamaker, p.geometry); }));
+    lines.push_back(scalar("hamakerSurfaceCutoff", hamaker.surface_cutoff));
+    lines.push_back(scalar("hamakerOuterCutoff", hamaker.outer_cutoff));
   }
 
   /// A of smooth surfaces whose pull-off force is that of the attraction.

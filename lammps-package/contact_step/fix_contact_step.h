@@ -8,6 +8,8 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #ifndef LMP_FIX_CONTACT_STEP_H
 #define LMP_FIX_CONTACT_STEP_H
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "atom.h"
@@ -178,7 +180,7 @@ class FixContactStep : public Fix {
   void require_spheres();
   void warn_of_spins();
   void warn_of_unmoved();
-  void warn_of_mixed_schemes();
+  void warn_of_unlike_walls();
   void hold_spins();
   void keep_impulses();
   void forget_impulses();
@@ -198,9 +200,10 @@ class FixContactStep : public Fix {
   bool tallies_begun;  // in this run
   bool tally_unknown;  // last_tally_unknown()
   bool warned_of_unturned, warned_of_held, warned_of_partly_held;
-  bool warned_of_unmoved = false, warned_of_mixed_schemes = false;
-  AlteredParticles altered;   // as a run that takes over forces is set up
-  double forces_dt;           // of the step that the forces are of; 0: there was none
+  bool warned_of_unmoved = false;
+  std::set<std::string> warned_of_walls;  // what was said of them
+  AlteredParticles altered;               // as a run that takes over forces is set up
+  double forces_dt;                       // of the step that the forces are of; 0: there was none
   AtomNumbers last;           // from the end of a run to the first step of the next: save_last()
   double before_dt = 0.0;     // of the step before
   AtomNumbers accelerations;  // by the forces of the last step, of atoms and ghosts

@@ -69,7 +69,7 @@ void FixContactStep::init() {
   require_spheres();
   warn_of_spins();
   warn_of_unmoved();
-  warn_of_mixed_schemes();
+  warn_of_unlike_walls();
   follow_renumbering();
 }
 
@@ -114,27 +114,19 @@ void FixContactStep::warn_of_unmoved() {
   warned_of_unmoved = LAMMPS_NS::warn_of_unmoved(lmp, announced);
 }
 
-/// Of walls that have another scheme than every pair style with contacts. A warning that was given
-/// is not given again.
-void FixContactStep::warn_of_mixed_schemes() {
-  if (warned_of_mixed_schemes) return;
-  const auto is_pair = [](const SoftContactStyle* some) {
-    return dynamic_cast<const Pair*>(some) && some->has_contacts();
-  };
-  const auto pairs = std::find_if(styles.begin(), styles.end(), is_pair);
-  if (pairs == styles.end()) return;
-  for (const SoftContactStyle* wall : styles) {
-    const bool exact = wall->is_exact_scheme();
-    if (!dynamic_cast<const Fix*>(wall) ||
-        std::any_of(styles.begin(), styles.end(), [&](const SoftContactStyle* some) {
-          return is_pair(some) && some->is_exact_scheme() == exact;
-        }))
-      continue;
-    warned_of_mixed_schemes = true;
-    const std::string mixed =
-        mixed_schemes(wall->name(), (*pairs)->name(), exact, "exact where the keyword is missing");
-    if (comm->me == 0) error->warning(FLERR, mixed);
+/// Of walls that decide by other rules than the pairs which particles stick. A warning that was
+/// given is not given again.
+void FixContactStep::warn_of_unlike_walls() {
+  std::vector<cohesion::advice::StickingRules> pairs, walls;
+  for (const SoftContactStyle* some : styles) {
+    if (dynamic_cast<const Fix*>(some))
+      walls.push_back(some->sticking_rules());
+    else if (some->has_contacts())
+      pairs.push_back(some->sticking_rules());
   }
+  for (const std::string& text :
+       cohesion::advice::warnings_of_walls(walls, pairs, "exact where the keyword is missing"))
+    if (warned_of_walls.insert(text).second && comm->me == 0) error->warning(FLERR, text);
 }
 
 /// Of spheres on which friction acts and that do not turn. A warning that was given is not given

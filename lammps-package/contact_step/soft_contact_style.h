@@ -2,7 +2,7 @@
 #ifndef COHESION_SOFT_CONTACT_STYLE_H
 #define COHESION_SOFT_CONTACT_STYLE_H
 
-#include <string>
+#include "advice/unlike_walls.h"
 
 namespace LAMMPS_NS {
 
@@ -16,8 +16,8 @@ class SoftContactStyle {
   virtual bool may_have_contacts() const { return true; }
   /// Whether contacts are those of scheme exact; else they are sampled.
   virtual bool is_exact_scheme() const = 0;
-  /// What messages call the style: 'pair_style NAME', or 'fix ID NAME'.
-  virtual std::string name() const = 0;
+  /// What decides in its contacts which particles stick.
+  virtual cohesion::advice::StickingRules sticking_rules() const = 0;
   /// Whether it has contacts with a spring, which act in this run.
   virtual bool has_contacts() const { return true; }
   /// Where a run takes over the forces of the last one: finds what has come into range or out of it

@@ -16,6 +16,7 @@
 #include "input/restart_format.h"
 #include "input/type_pair_table.h"
 #include "pointers.h"
+#include "input/sticking_rules_of_law.h"
 
 namespace LAMMPS_NS {
 
@@ -124,6 +125,18 @@ class CohesiveCoefficients : protected Pointers {
       return true;
     else
       return std::any_of(parameters_.begin(), parameters_.end(), &Cohesion::attracts);
+  }
+  /// Of the contacts of these types that are this style's.
+  cohesion::advice::StickingRules sticking_rules(int types) const {
+    auto rules = sticking_rules_of_law<Cohesion>(where(), scheme_);
+    for (int i = 1; i <= types; i++)
+      for (int j = i; j <= types; j++) {
+        const int k = of_types(i, j);
+        if (prepared_[k])
+          add_contact<Cohesion>(rules, attraction<cohesion::contact::Adhesion>(k, 1.0, 1.0),
+                                parameters_[k], contacts_[k]);
+      }
+    return rules;
   }
   /// As a pair of src/contact_solver takes it.
   template <class Attraction>

@@ -25,6 +25,7 @@ Core mixed_law(const Core& a, const Core& b) {
 /// radius_i, radius_j), with radius_j 0 beside a wall. A law derives from this, states
 ///
 ///   STYLE                         of the pairs; "wall/" in front: of the walls
+///   ADHESION, WITHOUT_ADHESION    its keyword, and that with values of no adhesion
 ///   RESTART_LAYOUT                number of the layout of settings and Parameters in restart files
 ///   Solver                        of src/contact_solver: its normal motion in scheme exact
 ///   Sampled                       of src/contact_solver: its normal motion in scheme sampled

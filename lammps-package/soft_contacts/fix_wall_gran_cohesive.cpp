@@ -17,6 +17,7 @@
 #include "input/walls_from_script.h"
 #include "neighbor.h"
 #include "soft_contacts/cohesion_laws.h"
+#include "input/sticking_rules_of_law.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -77,6 +78,7 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
     const int left = narg - iarg - 1;
     const int values = values_of_contact_keyword<Cohesion>(word);
     if (values >= 0) {
+      has_adhesion_word = has_adhesion_word || word == Cohesion::ADHESION;
       const int stop = std::min(iarg + 1 + values, narg);
       contact_words.insert(contact_words.end(), arg + iarg, arg + stop);
       iarg = stop;
@@ -155,6 +157,15 @@ void FixWallGranCohesive<Cohesion>::post_force(int) {
     forces.clear();
     with_contacts([this](auto& shared, auto size) { compute_contacts<size>(shared); });
   });
+}
+
+template <class Cohesion>
+cohesion::advice::StickingRules FixWallGranCohesive<Cohesion>::sticking_rules() const {
+  auto rules = sticking_rules_of_law<Cohesion>(where, scheme);
+  rules.meant_without = has_adhesion_word;
+  add_contact<Cohesion>(rules, Cohesion::template of_wall<cohesion::contact::Adhesion>(law, 1.0),
+                        parameters, parameters.contact);
+  return rules;
 }
 
 template <class Cohesion>

@@ -37,7 +37,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   void setup(int) override;
   void post_force(int) override;
   bool is_exact_scheme() const override { return scheme == Scheme::exact; }
-  std::string name() const override { return where; }
+  cohesion::advice::StickingRules sticking_rules() const override;
   void continue_run() override;
   void give_advice(const RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
@@ -111,6 +111,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   std::string where;  // in front of messages
   cohesion::advice::WarningFilter given_advice;
   Scheme scheme;
+  bool has_adhesion_word = false;
   Cohesion attraction;
   typename Cohesion::Parameters given_parameters;
   typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished

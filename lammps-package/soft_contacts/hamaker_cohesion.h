@@ -23,6 +23,7 @@ namespace LAMMPS_NS {
 class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/hamaker";
+  static constexpr char ADHESION[] = "hamaker", WITHOUT_ADHESION[] = "hamaker 0";
   static constexpr std::array SETTINGS{"form"};
   static constexpr int RESTART_LAYOUT = 9;
   static constexpr bool BINDS_IN_RANGE = true;

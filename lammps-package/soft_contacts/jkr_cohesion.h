@@ -20,6 +20,8 @@ namespace LAMMPS_NS {
 class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
  public:
   static constexpr char STYLE[] = "gran/jkr";
+  /// None is without it.
+  static constexpr char ADHESION[] = "surface_energy", WITHOUT_ADHESION[] = "";
   static constexpr char COEFFICIENTS[] = "normal hertz E nu surface_energy gamma ...'";
   static constexpr int RESTART_LAYOUT = 2;
 

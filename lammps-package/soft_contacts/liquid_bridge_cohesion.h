@@ -16,6 +16,7 @@ namespace LAMMPS_NS {
 class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/liquid_bridge";
+  static constexpr char ADHESION[] = "bridge", WITHOUT_ADHESION[] = "bridge 0 0";
   static constexpr int RESTART_LAYOUT = 5;
 
   using Solver = cohesion::contact_solver::LiquidBridgeSolver;

@@ -68,7 +68,9 @@ class PairGranCohesive : public Pair,
   bool is_exact_scheme() const override {
     return is_active && coefficients.scheme() == Scheme::exact;
   }
-  std::string name() const override { return coefficients.where(); }
+  cohesion::advice::StickingRules sticking_rules() const override {
+    return coefficients.sticking_rules(atom->ntypes);
+  }
   bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
   void continue_run() override;
   void renumber(const Renumbering& renumbering) override {

@@ -17,6 +17,7 @@ namespace LAMMPS_NS {
 class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/square_well";
+  static constexpr char ADHESION[] = "well", WITHOUT_ADHESION[] = "well 0 1";
   static constexpr int RESTART_LAYOUT = 6;
 
   using Solver = cohesion::contact_solver::SquareWellSolver;

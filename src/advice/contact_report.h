@@ -47,6 +47,11 @@ struct AdvisedContact {
   double inverse_mass() const { return 1.0 / i.mass + 1.0 / j.mass; }
 };
 
+/// K of a linear spring, or E*.
+inline double stiffness_of(const ContactSprings& s) {
+  return s.exponent == linear_power ? s.stiffness : s.modulus;
+}
+
 /// How many contacts a particle of a run may have at a time.
 enum class Crowd {
   pair,      ///< there are at most two particles
@@ -157,11 +162,6 @@ inline void add(std::vector<SharedNote>& notes, const std::string& sentence,
   notes.push_back({sentence, {contact}});
 }
 
-/// K of a linear spring, or E*.
-inline double stiffness_of(const ContactSprings& s) {
-  return s.exponent == linear_power ? s.stiffness : s.modulus;
-}
-
 inline std::string over_material_sentence(const AdvisedContact& c, const RunNumbers& run) {
   const double stiffness = stiffness_of(c.springs);
   const OverMaterial over =
@@ -190,7 +190,7 @@ inline void add_softness(Report& report, const std::string& style,
     // JKR's spring and adhesion are one, which no numbers of the contact tell apart.
     if (!c.material.is_given() && !c.springs.jkr && softness_decides(numbers(c, run)))
       add(soft, softness_advice(c.material_words), c.name);
-    if (c.material.is_given() && c.material.stiffness != stiffness_of(c.springs))
+    if (c.material.is_given() && !is_of_material(c.material, stiffness_of(c.springs)))
       add(scaled, over_material_sentence(c, run), c.name);
   }
   for (const SharedNote& note : scaled)

@@ -151,10 +151,17 @@ class StiffnessScaling {
   double factor_;
 };
 
+/// Whether `stiffness`, as stiffness_of(), is that of the material, to round-off.
+inline bool is_of_material(const Material& material, double stiffness) {
+  return std::abs(stiffness - material.stiffness) <= 1e-9 * material.stiffness;
+}
+
 /// Throws InvalidParameter where the contact is stiffer than the material that it stands for: a
 /// number in another unit, most often.
 inline void require_softer(const Material& material, double stiffness) {
-  if (!material.is_given() || stiffness <= (1.0 + 1e-9) * material.stiffness) return;
+  if (!material.is_given() || stiffness <= material.stiffness ||
+      is_of_material(material, stiffness))
+    return;
   std::ostringstream text;
   text << "the " << (material.exponent == linear_power ? "stiffness" : "modulus E*")
        << " of the contact is " << stiffness << " and that of its material " << material.stiffness
@@ -165,7 +172,7 @@ inline void require_softer(const Material& material, double stiffness) {
 /// Whether a contact of `stiffness`, as stiffness_of(), needs another adhesion than its material.
 inline bool is_scaled(const Material& material, double stiffness) {
   return material.is_given() && material.keep == Keep::escape_velocity &&
-         material.stiffness != stiffness;
+         !is_of_material(material, stiffness);
 }
 
 /// The Hamaker attraction of a contact of `stiffness` from that of its material.
@@ -194,7 +201,7 @@ namespace detail {
 /// scaling_note(), with the numbers of the adhesion.
 inline std::string scaling_note(double stiffness, const Material& material,
                                 const std::string& numbers) {
-  if (!material.is_given() || material.stiffness == stiffness) return {};
+  if (!material.is_given() || is_of_material(material, stiffness)) return {};
   const std::string name = name_of_stiffness(material);
   std::ostringstream out;
   if (is_scaled(material, stiffness))

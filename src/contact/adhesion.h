@@ -19,6 +19,7 @@ struct Adhesion {
   hamaker::Tail tail{};  ///< of E_tail; none: E_tail is that of an edge without width
   double fall = 0.0;     ///< L of the pull of a bridge, [length]; 0: constant up to H_cut
 
+  bool attracts() const { return force > 0.0 || tail_energy > 0.0; }
   liquid_bridge::Pull pull() const { return {force, fall}; }
   /// W = E_tail + F_ad H_cut, [energy], with the work of a pull that falls in the place of F_ad
   /// H_cut: what the pair pays on its way from last touch.

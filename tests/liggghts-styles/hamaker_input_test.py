@@ -148,6 +148,19 @@ class BadInput(unittest.TestCase):
         done = Run(head.replace(LINEAR, "model hooke/stiffness tangential history cohesion hamaker") + line + "\nrun 1\n")
         self.assertEqual(done.code, 0, done.output[-2000:])
 
+    def test_a_keyword_that_is_the_last_word_lacks_its_value(self):
+        """Those of this package and of the engine, in pair_style and wall; the engine reads beyond the line."""
+        wall = f"fix floor all wall/gran {LINEAR} primitive type 2 zplane -5e-3"
+        for words in ("scheme", "material_keep", "material_stiffness", "scheme exact absolute_damping"):
+            last = words.split()[-1]
+            said = f"keyword '{last}' needs a value behind it" + (", exact or sampled" if last == "scheme" else "")
+            for pairs, walls in ((f"{LINEAR} {words}", ()), (f"{LINEAR} scheme exact", [f"{wall} {words}"])):
+                with self.subTest(pairs, walls=walls):
+                    text = script([sphere((0, 0, 0))], f"{LINEAR} scheme exact", hamaker(1e-19, cut=4e-10, out=1e-7),
+                                  walls, run="run 0\n")
+                    run = Run(text.replace(f"pair_style gran {LINEAR} scheme exact", f"pair_style gran {pairs}"))
+                    assert_refused(self, run, f"cohesion model hamaker: {said}")
+
     def test_an_error_of_one_rank_reaches_a_file(self):
         """One that the engine reports by the rank alone, which ends at once; a pipe is buffered as a file is."""
         text = script([sphere((k * 1.1e-3, 0, 0)) for k in range(4)], LINEAR, hamaker(1e-19, cut=4e-10, out=1e-7), skin=2e-3)

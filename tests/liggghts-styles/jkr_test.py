@@ -38,6 +38,23 @@ class Jkr(unittest.TestCase):
                            f"captured {fastest}")
                     self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
 
+    def test_a_softer_modulus_sticks_as_the_material_does(self):
+        # The scaling is exact head-on; the grade is that of the step, as above.
+        grade, division, times = 1e-3, 20, 1e3
+        keywords = f"{KEYWORDS} material_modulus on"
+        properties = surface_energy(GAMMA) + (
+            f"fix Em all property/global materialYoungsModulus peratomtype {times * 5e6} {times * 5e6}\n")
+        for name in ("pair", "plane", "2 triangles"):
+            wall = WALLS[name]
+            real = JkrPair(times * 5e6, GAMMA, 0.9, DIAMETER, poisson=0.3, plane=bool(wall))
+            soft = JkrPair(5e6, GAMMA * times**-0.4, 0.9, DIAMETER, poisson=0.3, plane=bool(wall))
+            speed = real.sticking_speed()
+            self.assertGreater(JkrPair(5e6, GAMMA, 0.9, DIAMETER, poisson=0.3, plane=bool(wall)).sticking_speed(), 3 * speed)
+            slowest, fastest = limits(MODELS, keywords, properties, 0.9, speed, 0, grade, soft.contact_time(speed) / division,
+                                      30 * division, 0.0, 2 * soft.tearing, 1.5 * soft.tearing, wall)
+            report(f"E over the material's 1e-3, {name}: slowest parted {slowest}, captured {fastest}")
+            self.assertEqual((slowest, fastest), (1 + grade, 1 - grade))
+
     def test_strength(self):
         # 1.5 pi w R; by the lag of the ramp up to 0.3 %.
         for partner in pull_off.PARTNERS:

@@ -278,20 +278,23 @@ class Elastic(unittest.TestCase):
         _, output, _ = program.call(*self.JKR, "--soft-young", 63e9)
         self.assertNotIn("material_modulus", output)
 
-    def test_lines_of_liggghts_have_the_scaled_attraction(self):
-        for keep, f in (("velocity", (1e8 / 63e9)**0.4), ("force", 1)):
+    def test_lines_of_liggghts_have_the_attraction_of_the_material(self):
+        for keep in ("velocity", "force"):
+            keywords = f"tangential_damping on material_modulus on material_keep {keep}\n"
             _, output, _ = program.call(*self.HERTZ, "--soft-young", 1e8, "--keep", keep, "--engine", "liggghts")
             self.assertIn("fix youngsModulus all property/global youngsModulus peratomtype 100000000 100000000", output)
-            self.assertIn("model hertz tangential history cohesion hamaker tangential_damping on\n", output)
+            self.assertIn("fix materialYoungsModulus all property/global materialYoungsModulus peratomtype 63000000000 63000000000",
+                          output)
+            self.assertIn(f"model hertz tangential history cohesion hamaker {keywords}", output)
             self.assertNotIn("particles yes", output)
             value = lambda name, k: float(output.split(f"property/global {name} ")[1].split("\n")[0].split()[k])
-            constant, cut = value("hamakerConstant", 2), value("hamakerSurfaceCutoff", 1)
-            # Six digits are printed.
-            self.near(constant / cut**2, f * 6.5e-20 / 4e-10**2, 3e-5)
-            self.near(constant * (2 / cut - 1e7), 6.5e-20 * (2 / 4e-10 - 1e7), 3e-5)
+            self.near(value("hamakerConstant", 2), 6.5e-20, 1e-9)
+            self.near(value("hamakerSurfaceCutoff", 1), 4e-10, 1e-9)
             _, output, _ = program.call(*self.JKR, "--soft-young", 1e8, "--keep", keep, "--engine", "liggghts")
-            self.assertIn("model hertz tangential history cohesion jkr tangential_damping on\n", output)
-            self.near(value("surfaceEnergy", 2), f * 0.02, 3e-5)
+            self.assertIn(f"model hertz tangential history cohesion jkr {keywords}", output)
+            self.near(value("surfaceEnergy", 2), 0.02, 1e-9)
+        _, output, _ = program.call(*self.JKR, "--soft-young", 63e9, "--engine", "liggghts")
+        self.assertNotIn("material", output.split("pair_style")[1])
         for soft, command in ((1e6, "soft_particles yes"), (63e9, "hard_particles yes")):
             words = self.HERTZ[:-4] + ("--contact", "hertz", "--soft-young", soft, "--engine", "liggghts")
             self.assertIn(command, program.call(*words)[1])
