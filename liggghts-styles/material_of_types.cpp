@@ -4,10 +4,10 @@
 #include <mpi.h>
 // The engine's header of properties wants mpi.h before it.
 #include "comm.h"
+#include "common/message.h"
 #include "error.h"
 #include "global_properties.h"
 #include "liggghts_api.h"
-#include "message.h"
 #include "modify.h"
 #include "property_registry.h"
 #include "word_settings.h"

@@ -14,9 +14,9 @@
 #include "contact_solver/turning.h"
 #include "input/cohesive_contact_from_script.h"
 #include "input/restart_format.h"
+#include "input/sticking_rules_of_law.h"
 #include "input/type_pair_table.h"
 #include "pointers.h"
-#include "input/sticking_rules_of_law.h"
 
 namespace LAMMPS_NS {
 

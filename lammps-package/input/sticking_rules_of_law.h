@@ -5,8 +5,8 @@
 #include <string>
 
 #include "advice/unlike_walls.h"
-#include "cohesive_contact_from_script.h"
 #include "contact/adhesion.h"
+#include "input/cohesive_contact_from_script.h"
 
 namespace LAMMPS_NS {
 

@@ -14,10 +14,10 @@
 #include "engine/largest_radii.h"
 #include "engine/particles_at_walls.h"
 #include "error.h"
+#include "input/sticking_rules_of_law.h"
 #include "input/walls_from_script.h"
 #include "neighbor.h"
 #include "soft_contacts/cohesion_laws.h"
-#include "input/sticking_rules_of_law.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
