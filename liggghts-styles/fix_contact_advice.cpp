@@ -10,7 +10,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/distinct_places.h"
-#include "common/mixed_schemes.h"
 #include "common/unmoved_spheres.h"
 #include "common/unturned_spheres.h"
 #include "error.h"

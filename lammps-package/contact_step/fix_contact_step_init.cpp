@@ -9,7 +9,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/message.h"
-#include "common/mixed_schemes.h"
 #include "common/unmoved_spheres.h"
 #include "common/unturned_spheres.h"
 #include "contact_step/fix_contact_step.h"

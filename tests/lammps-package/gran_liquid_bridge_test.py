@@ -13,7 +13,7 @@ from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
 from cohesion_tests.lammps_scenes.square_well_scene import T_C, Scene, gaps, relative, report
 from cohesion_tests.refusals import assert_refused
 from cohesion_tests.theory.liquid_bridge import FORCE, GAP, Capillary, escape_velocity, parting_speed
-from cohesion_tests.theory.pair_motion import DAMPING, DIAMETER, MASS, MU, STIFFNESS
+from cohesion_tests.theory.pair_motion import DAMPING, DENSITY, DIAMETER, MASS, MU, STIFFNESS
 from cohesion_tests.thermo import thermo_lines
 
 STYLE = "gran/liquid_bridge"
@@ -257,6 +257,23 @@ class Liquids(Scene):
             path, _ = couples.run(atoms, ["* * " + self.WORDS], dt, 10 * division, style=STYLE, skin=4e-4, every=1)
             out = relative(path[-1])[:, 4]
             numpy.testing.assert_allclose(out, math.sqrt(speed**2 - 2 * bridge.work(bridge.rupture) / MU), rtol=1e-9)
+
+    def test_a_bridge_carries_the_pull_of_touch(self):
+        """Spheres that hang from a plane by bridges, of 0.98 and 1.02 of the weight that one carries, at rest where
+        spring, bridge and weight balance; the heavy one at touch."""
+        bridge = self.bridge(self.RADII[2])
+        g, factors = bridge.touch / MASS, (0.98, 1.02)
+        atoms = [self.sphere((3e-3 + 3e-3 * n, 5e-3, 0.01 - DIAMETER / 2 + max(1 - f, 1e-9) * bridge.touch / STIFFNESS),
+                             density=f * DENSITY) for n, f in enumerate(factors)]
+        for scheme in ("exact", "sampled"):
+            words = f"{self.WORDS} damping {DAMPING} scheme {scheme}"
+            end = self.follow(atoms, ["* * " + self.WORDS], T_C / 20, 4000, style=f"{STYLE} scheme {scheme}",
+                              boundary="p p f", fixes=[f"fix w all wall/{STYLE} {words} zplane NULL 0.01",
+                                                       f"fix g all gravity {g:.17g} vector 0 0 -1"],
+                              box=[(0, 0.01), (0, 0.01), (-0.05, 0.01)])
+            gaps_then = 0.01 - DIAMETER / 2 - end[:, 3]
+            self.assertLess(gaps_then[0], 0.0, scheme)
+            self.assertGreater(gaps_then[1], bridge.rupture, scheme)
 
     def test_advice_has_the_escape_velocity(self):
         """Of a constant pull in contact, that loses the work of the curve."""

@@ -7,8 +7,8 @@ import unittest
 
 from cohesion_tests.liggghts import Run, assert_refused
 from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
-from cohesion_tests.liggghts_scenes.scene import (DENSITY, RADIUS, STIFFNESS, capillary, contact, frames, liquid_bridge,
-                                                  part, script, sphere)
+from cohesion_tests.liggghts_scenes.scene import (DENSITY, MASS, RADIUS, STIFFNESS, capillary, contact, frames,
+                                                  liquid_bridge, part, script, sphere)
 from cohesion_tests.theory.liquid_bridge import FORCE, GAP, Capillary, escape_velocity, parting_speed
 from cohesion_tests.theory.pair_motion import CONTACT_TIME, DAMPING, DIAMETER, MU
 
@@ -164,8 +164,8 @@ class Liquids(unittest.TestCase):
             path = frames(self.spheres(1e-9, speed, density), settings,
                           capillary(self.TENSION, self.ANGLE, self.VOLUME), dt=dt, steps=330, every=1, skin=2e-4,
                           contacts=self.CONTACT,
-                          walls=[f"fix plate all wall/gran {MODELS} primitive type 2 xplane -9e-3 tangential_damping off "
-                                 f"scheme {scheme} capillary on"])
+                          walls=[f"fix plate all wall/gran {MODELS} primitive type 2 xplane -9e-3 "
+                                 f"tangential_damping off scheme {scheme} capillary on"])
             for k, radii in enumerate(self.RADII):
                 bridge = Capillary(self.TENSION, self.ANGLE, self.VOLUME, *radii)
                 # Places are rounded by 2e-18 m, which exact puts over the step.
@@ -186,6 +186,22 @@ class Liquids(unittest.TestCase):
                     self.assertAlmostEqual(pull, bridge.force(gap), delta=room, msg=f"{scheme} {radii} {gap}")
                 self.assertGreater(checked, 250)
 
+    def test_a_bridge_carries_the_pull_of_touch(self):
+        """Spheres that hang from a plane by bridges, of 0.98 and 1.02 of the weight that one carries, at rest where
+        spring, bridge and weight balance; the heavy one at touch."""
+        bridge = Capillary(self.TENSION, self.ANGLE, self.VOLUME, *self.RADII[2])
+        g, factors = bridge.touch / MASS, (0.98, 1.02)
+        spheres = [sphere((-9e-3 + RADIUS - max(1 - f, 1e-9) * bridge.touch / STIFFNESS, 3e-3 * n, 0),
+                          density=f * DENSITY) for n, f in enumerate(factors)]
+        for scheme in ("exact", "sampled"):
+            settings = f" absolute_damping on tangential_damping off scheme {scheme} capillary on"
+            end = frames(spheres, MODELS + settings, capillary(self.TENSION, self.ANGLE, self.VOLUME),
+                         dt=CONTACT_TIME / 20, steps=4000, every=4000, skin=2e-4, boundary="m m m", walls=[
+                             f"fix plate all wall/gran {MODELS} primitive type 2 xplane -9e-3" + settings,
+                             f"fix g all gravity {g:.17g} vector 1 0 0"])[-1]
+            self.assertLess(end[1][0] + 9e-3 - RADIUS, 0.0, scheme)
+            self.assertGreater(end[2][0] + 9e-3 - RADIUS, bridge.rupture, scheme)
+
     def test_a_plane_pulls_twice_as_much_as_a_sphere_and_by_the_engines_own_model_it_does_not(self):
         """At touch, where each is 2 pi R gamma of the mean radius R."""
         def pulls(models, settings, properties):
@@ -202,13 +218,13 @@ class Liquids(unittest.TestCase):
         # In per cent of the sphere's volume; half of a cap of each sphere makes the bridge.
         own = "".join(f"fix {name} all property/global {name} {value}\n" for name, value in {
             "surfaceLiquidContentInitial": "scalar 0.1", "surfaceTension": f"scalar {self.TENSION}",
-            "fluidViscosity": "scalar 0", "contactAngle": "peratomtype 0 0", "minSeparationDistanceRatio": "scalar 0.01",
-            "maxSeparationDistanceRatio": "scalar 1.1"}.items())
+            "fluidViscosity": "scalar 0", "contactAngle": "peratomtype 0 0",
+            "minSeparationDistanceRatio": "scalar 0.01", "maxSeparationDistanceRatio": "scalar 1.1"}.items())
         equal, unequal, wall = pulls("model hooke/stiffness tangential off cohesion easo/capillary/viscous",
                                      " tangential_damping off", own)
         touch = 2 * math.pi * RADIUS * self.TENSION
-        print(f"easo/capillary/viscous over 2 pi R gamma: equal {equal / touch:.3f}, unequal {unequal / touch * 1.5:.3f}, "
-              f"plane {wall / touch / 2:.3f}")
+        print(f"easo/capillary/viscous over 2 pi R gamma: equal {equal / touch:.3f}, "
+              f"unequal {unequal / touch * 1.5:.3f}, plane {wall / touch / 2:.3f}")
         self.assertLess(wall / equal, 1.1)
 
 
