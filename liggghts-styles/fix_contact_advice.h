@@ -57,7 +57,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   void warn_of_unmoved();
   void warn_of_unlike_walls();
 
-  ContactWatch changes_;
+  RunWatch changes_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
   std::optional<MobileParticles> held_;  // as the run began

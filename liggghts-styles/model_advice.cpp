@@ -61,12 +61,6 @@ bool inserts(const Modify* modify) {
   return false;
 }
 
-advice::Crowd crowd(LAMMPS* lmp) {
-  const Pair* const pair = lmp->force->pair;
-  return crowd_of_all(
-      lmp, inserts(lmp->modify) || has_several_neighbours(lmp, pair ? pair->list : nullptr));
-}
-
 std::set<int> types_of(const FixWallGran& wall) {
   if (!wall.is_mesh_wall()) return {wall.atom_type_wall()};
   std::set<int> types;
@@ -80,52 +74,23 @@ std::string name_of_wall(const FixWallGran& wall) {
   return std::string("fix ") + wall.id + " wall/gran";
 }
 
-/// The lightest particles and the fastest.
-void ContactWatch::scan_particles() {
-  const Atom* const atom = lmp_->atom;
-  const MobileParticles mobile(lmp_);
+void RunOfEngine::scan_particles(LAMMPS* lmp, advice::RunConditions& now) {
+  const Atom* const atom = lmp->atom;
+  const MobileParticles mobile(lmp);
   std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
-  // The speed with the other sign in place of a type 0: the least of all is looked for.
-  mine[0] = {-fastest_of(atom, lmp_->domain, atom->nlocal), infinite};
-  count_templates(lmp_->modify, mine);
+  count_templates(lmp->modify, mine);
   for (int i = 0; i < atom->nlocal; i++)
     take_lighter(mine[atom->type[i]], atom->radius[i],
                  mobile.moves(atom->mask[i]) ? atom->rmass[i] : infinite);
-  now_.lightest.resize(mine.size());
-  MPI_Allreduce(mine.data(), now_.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
-                MPI_MIN, lmp_->world);
-  now_.run.fastest = -now_.lightest[0].radius;
-  now_.lightest[0] = {infinite, infinite};
+  reduce_particles(lmp, mine, fastest_of(atom, lmp->domain, atom->nlocal), now);
 }
 
-/// In how many steps each fix that changes particles does so.
-std::vector<int> ContactWatch::adapted_every() const {
-  std::vector<int> steps;
-  for (int k = 0; k < lmp_->modify->nfix; k++) {
-    const Fix* const fix = lmp_->modify->fix[k];
-    if (std::strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0) steps.push_back(fix->nevery);
-  }
-  return steps;
+bool RunOfEngine::may_crowd(LAMMPS* lmp) {
+  const Pair* const pair = lmp->force->pair;
+  return inserts(lmp->modify) || has_several_neighbours(lmp, pair ? pair->list : nullptr);
 }
 
-bool ContactWatch::due(bool setup) {
-  const double dt = lmp_->update->dt;
-  if (setup)
-    changes_.set_up(adapted_every());
-  else if (!changes_.may_differ(lmp_->neighbor->ago == 0,
-                                static_cast<long>(lmp_->update->ntimestep), dt))
-    return false;
-  scan_particles();
-  now_.run.dt = dt;
-  now_.run.plane = lmp_->domain->dimension == 2;
-  if (setup || now_.run.crowd != advice::Crowd::several) now_.run.crowd = crowd(lmp_);
-  if (!setup && !changes_.worse(now_.lightest, now_.run)) return false;
-  changes_.judged(now_.lightest, now_.run);
-  now_.run.gravity = GravityOfFixes(lmp_->modify).largest();
-  now_.run.shear = rate_of_shear(lmp_->domain).amount;
-  now_.within_run = !setup;
-  return true;
-}
+double RunOfEngine::gravity(LAMMPS* lmp) { return GravityOfFixes(lmp->modify).largest(); }
 
 ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
                              const NormalModelProbe& normal, Adhesion adhesion,

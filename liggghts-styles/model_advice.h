@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "advice/change_detector.h"
 #include "advice/contact_report.h"
 #include "advice/unlike_walls.h"
 #include "advice/warning_filter.h"
+#include "common/contact_watch.h"
 #include "contact/adhesion.h"
 #include "normal_model_probe.h"
 
@@ -21,29 +21,13 @@ class FixWallGran;
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
-/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
-/// has acted, and lighter or faster particles are there. Particles of templates count as there.
-class ContactWatch {
- public:
-  explicit ContactWatch(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp), now_() {}
-
-  /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
-  /// step, on all ranks, when the list of neighbours is that of the step.
-  bool due(bool setup);
-  const cohesion::advice::RunConditions& now() const { return now_; }
-
- private:
-  void scan_particles();
-  std::vector<int> adapted_every() const;
-
-  LAMMPS_NS::LAMMPS* lmp_;
-  cohesion::advice::RunConditions now_;
-  cohesion::advice::ChangeDetector changes_;
+/// What the time-step check asks of a run of LIGGGHTS. Particles of templates count as there.
+struct RunOfEngine {
+  static void scan_particles(LAMMPS_NS::LAMMPS*, cohesion::advice::RunConditions& now);
+  static bool may_crowd(LAMMPS_NS::LAMMPS*);
+  static double gravity(LAMMPS_NS::LAMMPS*);
 };
-
-/// As messages call it.
-std::string name_of_wall(const LAMMPS_NS::FixWallGran& wall);
+using RunWatch = LAMMPS_NS::ContactWatch<RunOfEngine>;
 
 /// What a contact model has to say of a run before it can go wrong: the table of numbers that
 /// decide whether the run can be right, warnings, and an error where it must blow up

@@ -64,7 +64,7 @@ class FixWallHamaker : public Fix {
   cohesion::hamaker::AnyLaw law;
   std::vector<cohesion::contact_solver::Wall> planes;
   WallHistory history;  // of each particle and plane its flag alone
-  ContactWatch watch;
+  RunWatch watch;
   bool gives_advice;  // for all fixes of this style
   cohesion::advice::WarningFilter given_advice;
   double mine[4];  // energy, force on the walls

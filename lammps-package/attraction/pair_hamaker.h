@@ -71,7 +71,7 @@ class PairHamaker : public Pair, public BoundPairs {
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   bool needs_list;                                      // whether any pair is looked at in this run
   bool warned;                                          // of numbers without keywords
-  ContactWatch watch;
+  RunWatch watch;
   cohesion::advice::WarningFilter given_advice;
 };
 

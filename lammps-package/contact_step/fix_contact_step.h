@@ -187,7 +187,7 @@ class FixContactStep : public Fix {
 
   std::vector<SoftContactStyle*> styles;  // those of this run
   std::vector<AdvisedStyle*> advised;     // the same
-  ContactWatch watch;
+  RunWatch watch;
 
   char* forwarded_flags;       // per atom and ghost, of what goes to ghosts now: whether it has any
   NumbersOf forwarded_values;  // those, `values_each` of each

@@ -46,7 +46,7 @@ double gravity_of_fixes(const Modify* modify, int mask) {
 
 /// The largest acceleration that the fixes of the step put on a particle of the group, or will on
 /// one that is announced; where there is none yet, that of all fixes together.
-double gravity(LAMMPS* lmp, int groupbit) {
+double gravity_of_group(LAMMPS* lmp, int groupbit) {
   const Atom* const atom = lmp->atom;
   double g = atom->natoms == 0 ? gravity_of_fixes(lmp->modify, ANY_GROUP) : 0.0;
   const std::vector<double> weight = weights(lmp);
@@ -63,19 +63,9 @@ double gravity(LAMMPS* lmp, int groupbit) {
   return all;
 }
 
-advice::Crowd crowd(LAMMPS* lmp) {
-  bool several = !announced_particles(lmp).empty();
-  for (int k = 0; k < lmp->neighbor->nlist && !several; k++) {
-    const NeighList* const list = lmp->neighbor->lists[k];
-    several = list->requestor_type == NeighList::PAIR && !list->occasional &&
-              has_several_neighbours(lmp, list);
-  }
-  return crowd_of_all(lmp, several);
-}
-
 /// The lightest particles of the group, those that fixes have announced among them, and the
 /// fastest.
-void scan_particles(LAMMPS* lmp, int groupbit, RunConditions& now) {
+void scan_group(LAMMPS* lmp, int groupbit, RunConditions& now) {
   const Atom* const atom = lmp->atom;
   const double none = std::numeric_limits<double>::infinity();
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
@@ -98,13 +88,7 @@ void scan_particles(LAMMPS* lmp, int groupbit, RunConditions& now) {
     fastest = std::max(fastest, std::hypot(flow.nonaffine(v[0], atom->x[i][1]), v[1], v[2]));
     take(type, atom->mask[i], atom->radius[i], atom->rmass ? atom->rmass[i] : atom->mass[type]);
   }
-  // The speed with the other sign in place of a type 0: the least of all is looked for.
-  mine[0] = {-fastest, none};
-  now.lightest.resize(mine.size());
-  MPI_Allreduce(mine.data(), now.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
-                MPI_MIN, lmp->world);
-  now.run.fastest = -now.lightest[0].radius;
-  now.lightest[0] = {none, none};
+  reduce_particles(lmp, mine, fastest, now);
 }
 
 }  // namespace
@@ -112,37 +96,24 @@ void scan_particles(LAMMPS* lmp, int groupbit, RunConditions& now) {
 RunConditions LAMMPS_NS::of_group(LAMMPS* lmp, const RunConditions& now, int groupbit) {
   RunConditions of_group = now;
   if (groupbit == ALL) return of_group;
-  scan_particles(lmp, groupbit, of_group);
-  of_group.run.gravity = gravity(lmp, groupbit);
+  scan_group(lmp, groupbit, of_group);
+  of_group.run.gravity = gravity_of_group(lmp, groupbit);
   return of_group;
 }
 
-/// In how many steps each fix that changes particles does so.
-std::vector<int> ContactWatch::adapted_every() const {
-  std::vector<int> steps;
-  for (int k = 0; k < modify->nfix; k++)
-    if (utils::strmatch(modify->fix[k]->style, "^adapt") && modify->fix[k]->nevery > 0)
-      steps.push_back(modify->fix[k]->nevery);
-  return steps;
+void RunOfEngine::scan_particles(LAMMPS* lmp, RunConditions& now) { scan_group(lmp, ALL, now); }
+
+bool RunOfEngine::may_crowd(LAMMPS* lmp) {
+  bool several = !announced_particles(lmp).empty();
+  for (int k = 0; k < lmp->neighbor->nlist && !several; k++) {
+    const NeighList* const list = lmp->neighbor->lists[k];
+    several = list->requestor_type == NeighList::PAIR && !list->occasional &&
+              has_several_neighbours(lmp, list);
+  }
+  return several;
 }
 
-bool ContactWatch::due(bool setup) {
-  const double dt = update->dt;
-  if (setup)
-    changes_.set_up(adapted_every());
-  else if (!changes_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
-    return false;
-  scan_particles(lmp, ALL, now_);
-  now_.run.dt = dt;
-  now_.run.plane = domain->dimension == 2;
-  if (setup || now_.run.crowd != advice::Crowd::several) now_.run.crowd = crowd(lmp);
-  if (!setup && !changes_.worse(now_.lightest, now_.run)) return false;
-  changes_.judged(now_.lightest, now_.run);
-  now_.run.gravity = gravity(lmp, ALL);
-  now_.run.shear = rate_of_shear(domain).amount;
-  now_.within_run = !setup;
-  return true;
-}
+double RunOfEngine::gravity(LAMMPS* lmp) { return gravity_of_group(lmp, ALL); }
 
 AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const LightestParticle& i,
                                           const LightestParticle& j,

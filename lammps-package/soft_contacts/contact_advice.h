@@ -5,17 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "advice/change_detector.h"
 #include "advice/contact_report.h"
 #include "advice/warning_filter.h"
+#include "common/contact_watch.h"
 #include "contact/contact_parameters.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
 
 using cohesion::advice::AdvisedContact;
-using cohesion::advice::LightestParticle;
-using cohesion::advice::RunConditions;
 
 /// What styles report of their contacts before the first step of a run, in the order of the styles.
 /// Fixes of one style that report the same report it once, with their IDs.
@@ -50,26 +48,13 @@ class AdvisedStyle {
   ~AdvisedStyle() = default;
 };
 
-/// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
-/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
-/// has acted, and lighter or faster particles are there.
-class ContactWatch : protected Pointers {
- public:
-  explicit ContactWatch(LAMMPS* lammps) : Pointers(lammps), now_() {}
-
-  /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
-  /// step, on all ranks, when the list of neighbours is that of the step.
-  bool due(bool setup);
-  const RunConditions& now() const { return now_; }
-  /// What they are judged by besides has changed.
-  void forget() { changes_.forget(); }
-
- private:
-  std::vector<int> adapted_every() const;
-
-  RunConditions now_;
-  cohesion::advice::ChangeDetector changes_;
+/// What the time-step check asks of a run of LAMMPS.
+struct RunOfEngine {
+  static void scan_particles(LAMMPS*, RunConditions& now);
+  static bool may_crowd(LAMMPS*);
+  static double gravity(LAMMPS*);
 };
+using RunWatch = ContactWatch<RunOfEngine>;
 
 /// `now` as far as the particles of a group go, of which some may be still to come. All ranks call
 /// it.
