@@ -31,10 +31,11 @@ void LAMMPS_NS::set_normal_law(ContactParameters& p, const char* law, const doub
 
 void LAMMPS_NS::require_computable(LAMMPS* lmp, const std::string& where, Scheme scheme,
                                    const ContactParameters& p) {
-  if (scheme == Scheme::sampled && p.is_hertz())
-    lmp->error->all(FLERR, where +
-                               ": scheme sampled has linear springs only: use scheme exact with "
-                               "'normal hertz E nu', or give 'stiffness K' to a style that has it");
+  if (scheme == Scheme::sampled && p.work_of_adhesion > 0.0)
+    lmp->error->all(FLERR,
+                    where +
+                        ": scheme sampled does not follow the neck of JKR's contact beyond touch: "
+                        "use scheme exact, the default");
 }
 
 namespace {

@@ -317,6 +317,7 @@ class ExactContact {
     const DiscreteSpring spring = contact_spring.at(in_step);
     const DiscreteSpring::State last = state;
     state.stretch = contact_spring.left_of_stretch(in_last_step, in_step) * state.stretch;
+    const Vector3 left = state.stretch;
     state.impulse = touch.plane().turned_into(state.impulse);
     // What begins at a time level begins with the true velocity.
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
@@ -346,9 +347,8 @@ class ExactContact {
         energies->lost_before = spring.lost(
             rate, last.impulse, impulse,
             contact_spring.at(in_last_step).stored_energy(last.stretch) - energies->stored);
-        energies->damped_before =
-            slips ? spring.damped(stretch - touch.plane().turned_into(last.stretch))
-                  : energies->lost_before;
+        energies->damped_before = slips ? spring.damped(stretch - touch.plane().turned_into(left))
+                                        : energies->lost_before;
       }
     }
     return impulse;

@@ -27,9 +27,9 @@ class SampledBridge {
   using Attraction = contact::Adhesion;
   static constexpr bool pushes_at_edge = false;
 
-  SampledBridge(const contact::LinearSpringDashpot& spring, const contact::Adhesion& bridge,
+  SampledBridge(const contact::NormalLaw& repulsion, const contact::Adhesion& bridge,
                 double contact_distance, double /*step*/)
-      : spring_(spring),
+      : repulsion_(repulsion),
         contact_distance_(contact_distance),
         range_(bridge.cutoff),
         pull_(bridge.pull()) {}
@@ -49,7 +49,7 @@ class SampledBridge {
     const double time = window.length();
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, grid.velocity);
-    const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
+    const double repulsion = repulsion_.force(overlap, rate, time, step.normal);
     step.inside = sampled_bridge(range_, -overlap, inside);
     // Its energy is counted from the touch: what it did not do since then, or had done when it
     // broke, from where the step began.
@@ -57,18 +57,16 @@ class SampledBridge {
       step.normal.dissipated +=
           (step.inside ? -1.0 : 1.0) * pull_.work(window.before * rate - overlap);
     const double attraction = step.inside ? pull_.at(-overlap) : 0.0;
-    step.velocity_change = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
+    step.velocity_change = (time * (repulsion - attraction) / repulsion_.reduced_mass()) * normal;
     return step;
   }
 
-  double spring_energy(double overlap) const {
-    return overlap > 0.0 ? 0.5 * spring_.stiffness() * overlap * overlap : 0.0;
-  }
+  double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
   /// Of a pair that has its bridge, zero at touch.
   double adhesion_energy(double overlap) const { return pull_.work(-overlap); }
 
  private:
-  contact::LinearSpringDashpot spring_;
+  SampledRepulsion repulsion_;
   double contact_distance_;
   double range_;
   liquid_bridge::Pull pull_;

@@ -4,7 +4,7 @@
 #include "contact/contact_parameters.h"
 #include "contact_solver/contact_bodies.h"
 #include "contact_solver/contact_history.h"
-#include "contact_solver/discrete_spring.h"
+#include "contact_solver/contact_spring.h"
 #include "contact_solver/pair_motion.h"
 #include "contact_solver/pair_step.h"
 
@@ -25,11 +25,12 @@ class SampledContact {
                  const Body& i, const Body& j, const StepWindow& window)
       : bodies_(i, j),
         window_(window),
-        normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
-        pair_(normal_contact_, attraction, bodies_.distance(), window.length()),
-        sliding_(contact::tangential_contact(parameters, normal_contact_), 2.0 * window.after,
+        normal_law_(
+            contact::normal_law(parameters, bodies_.rolling_radius(), bodies_.reduced_mass())),
+        pair_(normal_law_, attraction, bodies_.distance(), window.length()),
+        sliding_(ContactSpring::Kind::sliding, parameters, normal_law_, 2.0 * window.after,
                  bodies_.inverse_sliding_mass()),
-        rolling_(contact::rolling_contact(parameters, normal_contact_), 2.0 * window.after,
+        rolling_(ContactSpring::Kind::rolling, parameters, normal_law_, 2.0 * window.after,
                  bodies_.inverse_rolling_mass()) {}
 
   bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
@@ -73,14 +74,17 @@ class SampledContact {
     Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
-      step.friction = spring_impulse(
-          sliding_, touch, touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
-          normal, history.sliding, energies ? &slid : nullptr);
+      const Overlaps overlaps = this->overlaps(grid.relative);
+      step.friction =
+          spring_impulse(sliding_, overlaps, touch,
+                         touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
+                         normal, history.sliding, energies ? &slid : nullptr);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
-            spring_impulse(rolling_, touch, touch.rolling_velocity(grid.spin_i, grid.spin_j),
-                           normal, history.rolling, energies ? &rolled : nullptr),
+            spring_impulse(rolling_, overlaps, touch,
+                           touch.rolling_velocity(grid.spin_i, grid.spin_j), normal,
+                           history.rolling, energies ? &rolled : nullptr),
             step.action);
     }
     if (energies) {
@@ -102,12 +106,22 @@ class SampledContact {
   /// What is stored at a time level, with its history.
   StoredEnergies stored(const Vector3& separation, const ContactHistory& history) const {
     const double overlap = bodies_.distance() - norm(separation);
-    return {pair_.spring_energy(overlap), sliding_.stored_energy(history.sliding.stretch),
-            rolling_.stored_energy(history.rolling.stretch),
+    return {pair_.spring_energy(overlap),
+            sliding_.at(overlap).stored_energy(history.sliding.stretch),
+            rolling_.at(overlap).stored_energy(history.rolling.stretch),
             is_bound(history, bodies_.distance() - overlap) ? pair_.adhesion_energy(overlap) : 0.0};
   }
 
  private:
+  /// [length], at the time level and at the one before.
+  struct Overlaps {
+    double now, before;
+  };
+  Overlaps overlaps(const RelativeState& now) const {
+    if (!sliding_.stiffens()) return {};  // not needed
+    return {bodies_.distance() - norm(now.separation),
+            bodies_.distance() - norm(now.separation - (2.0 * window_.before) * now.velocity)};
+  }
   /// Of a spring since the last time level, [energy]: all, and in the dashpot alone.
   struct Losses {
     double all = 0.0, damped = 0.0;
@@ -124,13 +138,17 @@ class SampledContact {
            is_in_range(norm(now.separation - (2.0 * window_.before) * now.velocity));
   }
 
-  [[gnu::always_inline]] Vector3 spring_impulse(const DiscreteSpring& spring,
+  [[gnu::always_inline]] Vector3 spring_impulse(const ContactSpring& contact_spring,
+                                                const Overlaps& overlaps,
                                                 const ContactBodies::Touch& touch,
                                                 const Vector3& rate, const PairStep& normal,
                                                 DiscreteSpring::State& state, Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
+    const DiscreteSpring spring = contact_spring.at(overlaps.now);
     const DiscreteSpring::State last = state;
+    state.stretch = contact_spring.left_of_stretch(overlaps.before, overlaps.now) * state.stretch;
+    const Vector3 stretch = state.stretch;
     bool slips = false;
     Vector3 impulse{};
     if (normal.normal.contact_time > 0.0)
@@ -139,23 +157,22 @@ class SampledContact {
     else
       state = {};
     if (lost) {
-      lost->all =
-          spring.lost(rate, last.impulse, impulse,
-                      spring.stored_energy(last.stretch) - spring.stored_energy(state.stretch));
+      lost->all = spring.lost(rate, last.impulse, impulse,
+                              contact_spring.at(overlaps.before).stored_energy(last.stretch) -
+                                  spring.stored_energy(state.stretch));
       if (normal.normal.contact_time > 0.0)
-        lost->damped = slips
-                           ? spring.damped(state.stretch - touch.plane().turned_into(last.stretch))
-                           : lost->all;
+        lost->damped =
+            slips ? spring.damped(state.stretch - touch.plane().turned_into(stretch)) : lost->all;
     }
     return part * impulse;
   }
 
   ContactBodies bodies_;
   StepWindow window_;
-  contact::LinearSpringDashpot normal_contact_;
+  contact::NormalLaw normal_law_;
   Pair pair_;
-  DiscreteSpring sliding_;
-  DiscreteSpring rolling_;
+  ContactSpring sliding_;
+  ContactSpring rolling_;
 };
 
 }  // namespace cohesion::sampled_contact

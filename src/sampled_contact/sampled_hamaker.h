@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/linear_spring_dashpot.h"
 #include "contact_solver/pair_step.h"
 #include "hamaker/forms.h"
 #include "sampled_contact/sampled_repulsion.h"
@@ -27,9 +26,9 @@ class SampledHamaker {
   };
   static constexpr bool pushes_at_edge = false;
 
-  SampledHamaker(const contact::LinearSpringDashpot& spring, const Attraction& attraction,
+  SampledHamaker(const contact::NormalLaw& repulsion, const Attraction& attraction,
                  double contact_distance, double /*step*/)
-      : spring_(spring), attraction_(attraction), contact_distance_(contact_distance) {
+      : repulsion_(repulsion), attraction_(attraction), contact_distance_(contact_distance) {
     range_ = std::visit(
         [&](const auto& law) {
           return law.adhesion_force(attraction.geometry) > 0.0 ? law.outer_cutoff() : 0.0;
@@ -53,25 +52,23 @@ class SampledHamaker {
     const double time = window.length();
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, grid.velocity);
-    const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
+    const double repulsion = repulsion_.force(overlap, rate, time, step.normal);
     const double attraction =
         std::visit([&](const auto& law) { return law.force(-overlap, attraction_.geometry); },
                    attraction_.law);
-    step.velocity_change = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
+    step.velocity_change = (time * (repulsion - attraction) / repulsion_.reduced_mass()) * normal;
     step.inside = -overlap < range_;
     return step;
   }
 
-  double spring_energy(double overlap) const {
-    return overlap > 0.0 ? 0.5 * spring_.stiffness() * overlap * overlap : 0.0;
-  }
+  double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
   double adhesion_energy(double overlap) const {
     return std::visit([&](const auto& law) { return law.energy(-overlap, attraction_.geometry); },
                       attraction_.law);
   }
 
  private:
-  contact::LinearSpringDashpot spring_;
+  SampledRepulsion repulsion_;
   Attraction attraction_;
   double contact_distance_;
   double range_;

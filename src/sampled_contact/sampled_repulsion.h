@@ -1,24 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/linear_spring_dashpot.h"
+#include <variant>
+
+#include "contact/normal_law.h"
 #include "contact_solver/pair_step.h"
 
 namespace cohesion::sampled_contact {
 
 using namespace contact_solver;
 
-/// Force of spring and dashpot at `overlap` [length] and its rate, taken for all of `time`,
-/// [force]; positive repels. Sets what it does in `record`.
-inline double sampled_repulsion(const contact::LinearSpringDashpot& spring, double overlap,
-                                double rate, double time, NormalRecord& record) {
-  if (!(overlap > 0.0)) return 0.0;
-  const double repulsion = spring.stiffness() * overlap + spring.damping() * rate;
-  record.contact_time = time;
-  record.repulsion_impulse = time * repulsion;
-  record.repulsion_at_end = repulsion;
-  record.dissipated = time * spring.damping() * rate * rate;
-  return repulsion;
-}
+/// A normal law where a pair is found: the force and the dashpot of that overlap.
+class SampledRepulsion {
+ public:
+  explicit SampledRepulsion(const contact::NormalLaw& law)
+      : law_(law), reduced_mass_(contact::reduced_mass(law)) {}
+
+  double reduced_mass() const { return reduced_mass_; }
+
+  /// Force of spring and dashpot at `overlap` [length] and its rate, for all of `time`, [force];
+  /// positive repels. Sets what it does in `record`.
+  double force(double overlap, double rate, double time, NormalRecord& record) const {
+    if (!(overlap > 0.0)) return 0.0;
+    const contact::LawPoint here = at(overlap);
+    const double repulsion = here.force + here.damping * rate;
+    record.contact_time = time;
+    record.repulsion_impulse = time * repulsion;
+    record.repulsion_at_end = repulsion;
+    record.dissipated = time * here.damping * rate * rate;
+    return repulsion;
+  }
+
+  /// Stored in the spring, [energy].
+  double energy(double overlap) const { return overlap > 0.0 ? at(overlap).energy : 0.0; }
+
+ private:
+  contact::LawPoint at(double overlap) const {
+    const auto* const linear = std::get_if<contact::LinearSpringDashpot>(&law_);
+    if (!linear) return contact::point_of(law_, overlap);
+    contact::LawPoint point;
+    point.force = linear->stiffness() * overlap;
+    point.energy = 0.5 * linear->stiffness() * overlap * overlap;
+    point.damping = linear->damping();
+    return point;
+  }
+
+  contact::NormalLaw law_;
+  double reduced_mass_;
+};
 
 }  // namespace cohesion::sampled_contact

@@ -41,13 +41,13 @@ class SampledWell {
   using Attraction = contact::Adhesion;
   static constexpr bool pushes_at_edge = true;
 
-  SampledWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+  SampledWell(const contact::NormalLaw& repulsion, const contact::Adhesion& well,
               double contact_distance, double /*step*/)
-      : spring_(spring),
+      : repulsion_(repulsion),
         contact_distance_(contact_distance),
         range_(well.cutoff),
         depth_(well.tail_energy),
-        inverse_mass_(1.0 / spring.reduced_mass()) {}
+        inverse_mass_(1.0 / repulsion_.reduced_mass()) {}
 
   double range() const { return range_; }
   /// Gap at which a pair comes into range, [length].
@@ -64,7 +64,7 @@ class SampledWell {
     const double time = window.length();
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, grid.velocity);
-    const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
+    const double repulsion = repulsion_.force(overlap, rate, time, step.normal);
     const double impulse =
         sampled_edge_impulse(depth_, range_, inverse_mass_, -overlap, rate, inside);
     step.velocity_change = ((time * repulsion + impulse) * inverse_mass_) * normal;
@@ -72,13 +72,11 @@ class SampledWell {
     return step;
   }
 
-  double spring_energy(double overlap) const {
-    return overlap > 0.0 ? 0.5 * spring_.stiffness() * overlap * overlap : 0.0;
-  }
+  double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
 
  private:
-  contact::LinearSpringDashpot spring_;
+  SampledRepulsion repulsion_;
   double contact_distance_;
   double range_;
   double depth_;

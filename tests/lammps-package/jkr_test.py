@@ -77,7 +77,7 @@ class Words(ScriptTestCase):
                  "'material_keep' needs 'material_modulus E_m nu_m'"),
                 ("stiffness 800 surface_energy 0.05", "", "needs 'normal hertz E nu' and 'surface_energy gamma'"),
                 ("normal hertz 5e6 0.25 surface_energy -1", "", "surface energy gamma"),
-                ("normal hertz 5e6 0.25 surface_energy 0.05", "scheme sampled", "scheme sampled has linear springs only")):
+                ("normal hertz 5e6 0.25 surface_energy 0.05", "scheme sampled", "scheme sampled does not follow the neck")):
             with self.subTest(words=words):
                 self.stops(f"{HEAD}pair_style gran/jkr {settings}\npair_coeff * * {words}{MOVE}", message)
 
