@@ -29,6 +29,9 @@ struct RunOfEngine {
 };
 using RunWatch = LAMMPS_NS::ContactWatch<RunOfEngine>;
 
+/// As messages call it.
+std::string name_of_wall(const LAMMPS_NS::FixWallGran& wall);
+
 /// What a contact model has to say of a run before it can go wrong: the table of numbers that
 /// decide whether the run can be right, warnings, and an error where it must blow up
 /// (src/advice/contact_report.h); no table and no warning twice.
