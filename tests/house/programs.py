@@ -59,6 +59,16 @@ class Programs(unittest.TestCase):
             with self.subTest(file):
                 self.assertNotIn("sys.path", file.read_text())
 
+    def test_every_test_is_registered(self):
+        """By its name, without the ending, in the CMakeLists.txt of its folder or of one above."""
+        tests = [file for file in FILES if file.name.endswith("_test.py")]
+        self.assertGreater(len(tests), 100)
+        for file in tests:
+            with self.subTest(file):
+                lists = next(path for path in (folder / "CMakeLists.txt" for folder in file.parents) if path.exists())
+                text = lists.read_text()
+                self.assertRegex(text, rf"\b{file.stem.removesuffix('_test')}(_test\.py)?\b")
+
     def test_names_are_of_one_program_each(self):
         """Also but for the sign between words; a test may be named as what it tests."""
         names = [file.stem.replace("-", "_") for file in PROGRAMS if "benchmarks" in file.parts]
