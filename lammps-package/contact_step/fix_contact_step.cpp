@@ -320,11 +320,15 @@ void FixContactStep::post_run() {
   for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
 }
 
-/// What the next run needs of a particle.
+/// What the next run needs of a particle. One that is held has no forces of its contacts, and those
+/// of fixes alone must not move it where it is released.
 void FixContactStep::save_last(int i, double* values) const {
-  std::copy_n(atom->f[i], 3, values);
-  std::copy_n(atom->torque[i], 3, values + TORQUE);
-  put(impulsive_forces[i], values + IMPULSIVE);
+  std::fill_n(values, PARTICLE, 0.0);
+  if (inverse_mass[i] > 0.0) {
+    std::copy_n(atom->f[i], 3, values);
+    std::copy_n(atom->torque[i], 3, values + TORQUE);
+    put(impulsive_forces[i], values + IMPULSIVE);
+  }
   altered.save(i, values + PARTICLE);
 }
 

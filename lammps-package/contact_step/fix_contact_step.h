@@ -98,6 +98,12 @@ class FixContactStep : public Fix {
   Bodies bodies() const { return {atom->radius, inverse_mass}; }
   /// Whether a fix may carry along a particle that has inverse mass 0.
   bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
+  /// Whether a relative velocity [length/time] takes particle i out of the contact that is known of
+  /// it. What fix freeze leaves of the velocity of a particle at rest does not.
+  bool carries_along(int i, const cohesion::Vector3& velocity) const {
+    constexpr double at_rest = 1e-9;  // way in a step over the radius
+    return length() * norm(velocity) > at_rest * atom->radius[i];
+  }
   /// A contact of the exact scheme, or a sampled one, in this step.
   template <class Contact>
   Contact contact(const cohesion::contact::ContactParameters& parameters,

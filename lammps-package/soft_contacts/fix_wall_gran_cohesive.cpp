@@ -273,8 +273,8 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
       // No particle is faster than the step's fastest.
       if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point);
       if (step->body(i).inverse_mass == 0.0) {
-        const Vector3 slides = vector(atom->v[i]) - point.velocity;
-        if (step->is_led(i) && dot(slides, slides) > 0.0) phase = WallHistory::NOT_KNOWN;
+        if (step->is_led(i) && step->carries_along(i, vector(atom->v[i]) - point.velocity))
+          phase = WallHistory::NOT_KNOWN;
         continue;
       }
       if (point.distance > 2.0 * atom->radius[i] + range) {

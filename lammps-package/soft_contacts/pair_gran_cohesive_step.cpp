@@ -184,8 +184,7 @@ template <int SIZE, class Contact>
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_if_led(int i, int j, int& has_history) const {
   if (!has_history || !(step->is_led(i) || step->is_led(j))) return;
-  const Vector3 w = particles().relative_state(i, j).velocity;
-  if (dot(w, w) > 0.0) has_history = 0;
+  if (step->carries_along(i, particles().relative_state(i, j).velocity)) has_history = 0;
 }
 
 /// Energy and virial, of an impulse on j.

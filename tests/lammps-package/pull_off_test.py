@@ -54,6 +54,19 @@ class PullOff(unittest.TestCase):
                     gap = pull_off.gap_after_another_step(grain, first, then, level)
                     self.assertEqual(gap < grain.force / grain.stiffness, holds)
 
+    def test_a_grain_that_hangs_goes_on_hanging_when_it_is_released(self):
+        # These two fixes leave a velocity as it is, with which a grain that still swings would move on.
+        held = {"freeze": ("velocity first set 0 0 0\nfix held first freeze", "unfix held"),
+                "setforce": ("velocity first set 0 0 0\nfix held first setforce 0 0 0", "unfix held"),
+                "no integration": ("unfix move", "fix move all nve/sphere")}
+        for level, holds in ((0.95, True), (1.02, False)):
+            for how, (hold, release) in held.items():
+                for division in (6, 10):
+                    with self.subTest(level=level, how=how, division=division):
+                        grain = Grain(50.0, 0.9)
+                        gap = pull_off.gap_after_release(grain, division, level, hold, release)
+                        self.assertEqual(gap < grain.force / grain.stiffness, holds)
+
     def test_sampled(self):
         self.check(LAG, 50, 50.0, 0.5, scheme="sampled")
 

@@ -71,9 +71,9 @@ def load_at_parting(grain, division, scheme="exact", pulled_by="addforce"):
     return [float(load) for gap, load in rows if float(gap) < opened][-1]
 
 
-def gap_after_another_step(grain, first, then, level):
-    """By how much the grain has moved away [m] when `level` F_ad was held for 300 contact times at t_c/then, after a ramp
-    up to it at t_c/first, but no farther than 0.95 F_ad there."""
+def run_on(grain, first, level, lines):
+    """By how much the grain has moved away [m] after a ramp up to `level` F_ad at t_c/first, but no farther than 0.95 F_ad,
+    and a while under that load, and then `lines`."""
     steps = grain.steps(first)
     ramp = min(level, 0.95)
     last = round(steps * ramp / TOP)
@@ -82,9 +82,20 @@ def gap_after_another_step(grain, first, then, level):
     text = script(grain, first, "exact", "addforce")
     text = text.replace(f"variable down equal -{grain.force * TOP!r}*step/{steps}", f"variable down equal -({load})")
     head, _, tail = text.rpartition("run ")
-    runs = f"run {last + 20 * first}\ntimestep {grain.contact_time / then!r}\nrun {300 * then}\n"
     with lammps.temporary_folder() as folder:
-        code, output = lammps.run_text(head + runs + tail.partition("\n")[2], folder)
+        code, output = lammps.run_text(head + f"run {last + 20 * first}\n" + lines + tail.partition("\n")[2], folder)
     if code != 0:
         raise AssertionError(output[-3000:])
     return float(re.search(r"^ENDED (\S+)", output, re.MULTILINE)[1])
+
+
+def gap_after_another_step(grain, first, then, level):
+    """By how much the grain has moved away [m] when `level` F_ad was held for 300 contact times at t_c/then, after a ramp
+    up to it at t_c/first."""
+    return run_on(grain, first, level, f"timestep {grain.contact_time / then!r}\nrun {300 * then}\n")
+
+
+def gap_after_release(grain, division, level, hold, release):
+    """The same when fixes held it, by the lines `hold`, until the lines `release`."""
+    return run_on(grain, division, level,
+                  f"{hold}\nrun {20 * division}\n{release}\nrun {300 * division}\n")
