@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "constants.h"
+#include "contact/law_point.h"
 #include "validation.h"
 
 namespace cohesion::contact {
@@ -81,6 +82,12 @@ class LinearSpringDashpot {
         from_restitution(1.0, restitution, 1.0).maximum_overlap(1.0);  // x_max w0/v0
     const double w0 = unit_overlap * speed / overlap;
     return from_restitution(reduced_mass * w0 * w0, restitution, reduced_mass);
+  }
+
+  /// As HertzSpringDashpot has them; no tangential spring follows its radius of contact.
+  static constexpr double lowest_overlap() { return 0.0; }
+  LawPoint at(double x) const {
+    return {stiffness_ * x, stiffness_, 0.5 * stiffness_ * x * x, damping_, damping_ * x};
   }
 
   double stiffness() const { return stiffness_; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <type_traits>
 #include <variant>
 
 #include "contact/hertz_spring_dashpot.h"
@@ -19,16 +18,10 @@ inline bool is_linear(const NormalLaw& law) {
   return std::holds_alternative<LinearSpringDashpot>(law);
 }
 
-/// A law other than the linear one at an overlap [length], not below that at which contact ends.
+/// A law at an overlap [length], not below that at which contact ends.
 inline LawPoint point_of(const NormalLaw& law, double overlap) {
   return std::visit(
-      [overlap](const auto& l) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, LinearSpringDashpot>)
-          return LawPoint{};
-        else
-          return l.at(std::max(overlap, l.lowest_overlap()));
-      },
-      law);
+      [overlap](const auto& l) { return l.at(std::max(overlap, l.lowest_overlap())); }, law);
 }
 
 /// The part of a tangential stretch that is left when the contact stiffens from one

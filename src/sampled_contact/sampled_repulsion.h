@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <variant>
-
 #include "contact/normal_law.h"
 #include "contact_solver/pair_step.h"
 
@@ -22,7 +20,7 @@ class SampledRepulsion {
   /// positive repels. Sets what it does in `record`.
   double force(double overlap, double rate, double time, NormalRecord& record) const {
     if (!(overlap > 0.0)) return 0.0;
-    const contact::LawPoint here = at(overlap);
+    const contact::LawPoint here = contact::point_of(law_, overlap);
     const double repulsion = here.force + here.damping * rate;
     record.contact_time = time;
     record.repulsion_impulse = time * repulsion;
@@ -32,19 +30,11 @@ class SampledRepulsion {
   }
 
   /// Stored in the spring, [energy].
-  double energy(double overlap) const { return overlap > 0.0 ? at(overlap).energy : 0.0; }
-
- private:
-  contact::LawPoint at(double overlap) const {
-    const auto* const linear = std::get_if<contact::LinearSpringDashpot>(&law_);
-    if (!linear) return contact::point_of(law_, overlap);
-    contact::LawPoint point;
-    point.force = linear->stiffness() * overlap;
-    point.energy = 0.5 * linear->stiffness() * overlap * overlap;
-    point.damping = linear->damping();
-    return point;
+  double energy(double overlap) const {
+    return overlap > 0.0 ? contact::point_of(law_, overlap).energy : 0.0;
   }
 
+ private:
   contact::NormalLaw law_;
   double reduced_mass_;
 };
