@@ -7,7 +7,7 @@ from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
 TITLE = "Features of the particle engines"
 HAMAKER_STYLE = f"hamaker cutoff {scenes.CUT} {scenes.OUT}"
-WELL = "gran/square_well"
+WELL = "gran/squarewell"
 WALL = f"stiffness {scenes.STIFFNESS} restitution {scenes.RESTITUTION} friction {scenes.FRICTION}"
 PLANES = "zplane {low!r} {high!r}"
 
@@ -59,13 +59,13 @@ LAMMPS = {
     "gran/hamaker *exact*, no cohesion; without: stock": (stock(hooke()), None, package(ours())),
     "hybrid/overlay hamaker; without: stock": (
         stock(hooke()), package(overlay(HAMAKER_STYLE, "hamaker 0")), package(overlay(HAMAKER_STYLE, f"hamaker {scenes.HAMAKER}"))),
-    "hybrid/overlay square_well; without: stock": (
-        stock(hooke()), package(overlay("square_well", f"well 0 {scenes.RATIO}")),
-        package(overlay("square_well", f"well {scenes.DEPTH} {scenes.RATIO}"))),
+    "hybrid/overlay squarewell; without: stock": (
+        stock(hooke()), package(overlay("squarewell", f"well 0 {scenes.RATIO}")),
+        package(overlay("squarewell", f"well {scenes.DEPTH} {scenes.RATIO}"))),
     "cohesion, gran/hamaker *exact*": cohesion("exact", "gran/hamaker", hamaker(), hamaker(0)),
     "cohesion, gran/hamaker *sampled*": cohesion("sampled", "gran/hamaker", hamaker(), hamaker(0)),
-    "cohesion, gran/square_well *exact*": cohesion("exact", WELL, well(), well(0)),
-    "cohesion, gran/square_well *sampled*": cohesion("sampled", WELL, well(), well(0)),
+    "cohesion, gran/squarewell *exact*": cohesion("exact", WELL, well(), well(0)),
+    "cohesion, gran/squarewell *sampled*": cohesion("sampled", WELL, well(), well(0)),
     "friction, *exact*": tuple(package(ours(friction=words, cohesion=hamaker()))
                                for words in ("", "friction 0", "friction 0.3")),
     "friction, *sampled*": tuple(package(ours(scheme="sampled", friction=words, cohesion=hamaker()))

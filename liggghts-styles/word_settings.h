@@ -20,7 +20,7 @@ namespace Cohesion {
 enum class SchemeChoice { none, exact, sampled };
 
 /// Adds the keyword `scheme`, exact or sampled, to the settings of a cohesion model, as pair_style
-/// gran/hamaker and gran/square_well of the LAMMPS package have it. model: who asks. `settings`
+/// gran/hamaker and gran/squarewell of the LAMMPS package have it. model: who asks. `settings`
 /// must not outlive `choice`.
 void register_scheme(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
                      SchemeChoice& choice);

@@ -19,6 +19,13 @@ struct FormerName {
 /// All former names that are accepted. A row goes with the version that it states.
 inline constexpr std::array former_names{
     FormerName{"scheme", "event", "exact", "0.4.0"},
+    FormerName{"style", "gran/liquid_bridge", "gran/liquidbridge", "0.4.0"},
+    FormerName{"style", "gran/square_well", "gran/squarewell", "0.4.0"},
+    FormerName{"style", "hard/square_well", "hard/squarewell", "0.4.0"},
+    FormerName{"style", "square_well", "squarewell", "0.4.0"},
+    FormerName{"style", "wall/gran/liquid_bridge", "wall/gran/liquidbridge", "0.4.0"},
+    FormerName{"style", "wall/gran/square_well", "wall/gran/squarewell", "0.4.0"},
+    FormerName{"style", "wall/hard/square_well", "wall/hard/squarewell", "0.4.0"},
 };
 
 /// What `name` is called now. Where it is a former name, warn(sentence) gets what a run says of it.

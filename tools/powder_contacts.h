@@ -48,7 +48,7 @@ struct PowderContacts {
   /// LAMMPS' pair_style, and its pair_coeffs: one for all types, or with wells, each two of which
   /// have a depth of their own, one for each two. lammps_for_all(): that of the first for all.
   std::string lammps_style() const {
-    return has_wells() ? "gran/square_well" : is_jkr() ? "gran/jkr" : "gran/hamaker";
+    return has_wells() ? "gran/squarewell" : is_jkr() ? "gran/jkr" : "gran/hamaker";
   }
   std::string lammps_for_all() const {
     return "pair_coeff * * " + (has_wells() ? lammps_well(pair(0, 0)) : lammps());

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Speed of pair_style hard/square_well on one core: events per second and seconds of a run against the
+"""Speed of pair_style hard/squarewell on one core: events per second and seconds of a run against the
 size of the step, and what a step without events costs beside LAMMPS' own gran/hooke.
 
   hard-event-rate.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--discs N] [--flights N] [--turns N]
@@ -71,14 +71,14 @@ def main():
     gas.v[:] = 0.0
     steps, ratios = 4000, []
     print(f"steps without events, {words.discs} discs at rest\n"
-          "gran/hooke [us]  hard/square_well [us]  ratio")
+          "gran/hooke [us]  hard/squarewell [us]  ratio")
     for turn in range(words.turns):
-        styles = ("gran/hooke", "hard/square_well")
+        styles = ("gran/hooke", "hard/squarewell")
         times = {style: idle(gas, style, steps) for style in (styles if turn % 2 == 0
                                                               else styles[::-1])}
-        ratios.append(times["hard/square_well"] / times["gran/hooke"])
+        ratios.append(times["hard/squarewell"] / times["gran/hooke"])
         print(f"{times['gran/hooke'] / steps * 1e6:15.1f} "
-              f"{times['hard/square_well'] / steps * 1e6:22.1f} {ratios[-1]:6.3f}", flush=True)
+              f"{times['hard/squarewell'] / steps * 1e6:22.1f} {ratios[-1]:6.3f}", flush=True)
     print(f"median {statistics.median(ratios):.3f}, from {min(ratios):.3f} to {max(ratios):.3f}")
 
 

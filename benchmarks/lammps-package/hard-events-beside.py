@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Events per second of pair_style hard/square_well in one build beside another, turn about.
+"""Events per second of pair_style hard/squarewell in one build beside another, turn about.
 
   hard-events-beside.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--beside LMP_WITH_PLUGIN_COMMAND PLUGIN] [options]
   hard-events-beside.py LMP_WITH_PLUGIN_COMMAND PLUGIN --ranks 2 --beside-ranks 1 [options]

@@ -4,7 +4,7 @@
 
   output-cost.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N] [--scene soft|hard]
 
-A dense sheared gas of 864 spheres of gran/hamaker, and one of 900 discs of hard/square_well, each made once.
+A dense sheared gas of 864 spheres of gran/hamaker, and one of 900 discs of hard/squarewell, each made once.
 From there every output runs for N and 2 N steps; the difference of both counts is free of the start.
 Valgrind counts, so the numbers do not depend on what else the machine does; one rank.
 `not read` is an output that nothing asks for: the totals of gran/stress and hard/stress are summed all the

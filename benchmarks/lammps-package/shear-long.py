@@ -4,7 +4,7 @@
 
   shear-long.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N] [--strain G] [--side N] [--mpiexec COMMAND]
 
-N^2 hard discs with a square well (fix deform/shear, pair_style hard/square_well) run on one rank, on two,
+N^2 hard discs with a square well (fix deform/shear, pair_style hard/squarewell) run on one rank, on two,
 and from the restart file of the middle on two ranks and on one. Printed for each run: seconds of LAMMPS'
 loop, discs lost, the largest net momentum seen, by how many standard errors the mean velocity of the
 layer that is worst is off the straight line, and a sum over all events of the second half (which,

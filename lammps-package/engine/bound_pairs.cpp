@@ -14,6 +14,6 @@ std::vector<const BoundPairs*> LAMMPS_NS::bound_pairs(LAMMPS* lmp, const std::st
       sources.push_back(source);
   if (sources.empty())
     stop(lmp, FLERR, where, ": no pair_style says which pairs are bound; use ",
-         cohesive_pair_styles(), ", hamaker or hard/square_well");
+         cohesive_pair_styles(), ", hamaker or hard/squarewell");
   return sources;
 }

@@ -190,7 +190,7 @@ void FixHardEvents::predict_changed_bodies() {
   warned_ = true;
   if (comm->me == 0)
     error->warning(FLERR,
-                   "pair_style hard/square_well: the rule against inelastic collapse (keywords "
+                   "pair_style hard/squarewell: the rule against inelastic collapse (keywords "
                    "collapse and contact_time) has made collisions elastic and frictionless; "
                    "compute hard/events counts them");
 }
@@ -208,7 +208,7 @@ void FixHardEvents::stop_at_limit() const {
   const auto [i, j] = simulation_.overrun();
   const HardSphere& a = simulation_.bodies[i];
   error->one(FLERR,
-             "pair_style hard/square_well: more than {} events of one particle in step {}, at "
+             "pair_style hard/squarewell: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword rest or contact_time, or a larger limit",
              simulation_.rules.event_limit, update->ntimestep, a.tag,

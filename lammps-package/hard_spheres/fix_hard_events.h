@@ -37,7 +37,7 @@ class HardWallSource {
   ~HardWallSource() = default;
 };
 
-/// Internal fix that executes the events of a step for pair_style hard/square_well and its walls.
+/// Internal fix that executes the events of a step for pair_style hard/squarewell and its walls.
 /// The first of these styles creates it.
 ///
 /// Before pre_force the engine has moved every particle in a straight line to the end of the step.

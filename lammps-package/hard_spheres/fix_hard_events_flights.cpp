@@ -52,7 +52,7 @@ void FixHardEvents::require_flights_within_box() const {
     for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
       if (std::abs(update->dt * atom->v[i][axis]) >= domain->prd[axis])
         error->one(FLERR,
-                   "pair_style hard/square_well: in step {} particle {} flies {} along {}, and the "
+                   "pair_style hard/squarewell: in step {} particle {} flies {} along {}, and the "
                    "box is {} long: use a smaller time step",
                    update->ntimestep, atom->tag[i], update->dt * atom->v[i][axis], "xyz"[axis],
                    domain -> prd[axis]);

@@ -119,7 +119,7 @@ void FixHardEvents::check_neighbour_list() {
   const double flown = std::sqrt(farthest_squared_);
   if (flown <= margin) return;
   error->one(FLERR,
-             "pair_style hard/square_well: in step {} particles are up to {} away from where they "
+             "pair_style hard/squarewell: in step {} particles are up to {} away from where they "
              "were when the neighbour list was made, and could miss a partner; the list allows for "
              "{}. Use a smaller time step or 'neighbor' with a skin above {}, with 'neigh_modify "
              "delay 0 every 1 check yes'. The fastest: {}",

@@ -27,37 +27,36 @@ using namespace cohesion::hard_sphere;
 static constexpr double OVERLAP = 1e-6;
 
 void FixHardEvents::init() {
-  pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
+  pair_ = PairHardSquareWell::in_use(force);
   if (!pair_)
     error->all(FLERR,
-               "fix wall/hard/square_well, compute hard/events and compute hard/stress go with "
-               "'pair_style hard/square_well'; give it first");
+               "fix wall/hard/squarewell, compute hard/events and compute hard/stress go with "
+               "'pair_style hard/squarewell'; give it first");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR,
-               "pair_style hard/square_well acts over the whole step; use 'run_style verlet'");
+               "pair_style hard/squarewell acts over the whole step; use 'run_style verlet'");
   if (force->newton_pair)
     error->all(FLERR,
-               "pair_style hard/square_well follows every pair on both sides; put 'newton off' "
+               "pair_style hard/squarewell follows every pair on both sides; put 'newton off' "
                "before the box is made");
   if (comm->ghost_velocity == 0)
     error->all(FLERR,
-               "pair_style hard/square_well needs the velocities of ghost particles; add "
+               "pair_style hard/squarewell needs the velocities of ghost particles; add "
                "'comm_modify vel yes'");
   if (neighbor->nex_mol > 0)
     error->all(FLERR,
-               "pair_style hard/square_well does not know 'neigh_modify exclude molecule'; exclude "
+               "pair_style hard/squarewell does not know 'neigh_modify exclude molecule'; exclude "
                "types or groups");
-  refuse_rerun(lmp, "pair_style hard/square_well");
+  refuse_rerun(lmp, "pair_style hard/squarewell");
   mobile_.look_up(lmp);
-  require_whole_holds(lmp, "pair_style hard/square_well", true);
+  require_whole_holds(lmp, "pair_style hard/squarewell", true);
   walls_.clear();
   needs_ghosts_ = comm->nprocs > 1 || utils::strmatch(force->pair_style, "^hybrid");
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
     if (fix->rigid_flag)
-      error->all(FLERR,
-                 std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
-                     fix->id + ")");
+      error->all(FLERR, std::string("pair_style hard/squarewell cannot follow rigid bodies (fix ") +
+                            fix->id + ")");
     if (auto* walls = dynamic_cast<HardWallSource*>(fix)) walls_.push_back(walls);
     if (dynamic_cast<BoundPairsReader*>(fix)) needs_ghosts_ = true;
   }
@@ -97,7 +96,7 @@ void FixHardEvents::require_distinct_positions() const {
     const int i = order[n - 1], j = order[n];
     if (position(i) == position(j) &&
         simulation_.pairs.interact(body_properties(i), body_properties(j)))
-      refuse_one_place(lmp, "pair_style hard/square_well", i, j);
+      refuse_one_place(lmp, "pair_style hard/squarewell", i, j);
   }
 }
 
@@ -150,7 +149,7 @@ void FixHardEvents::warn_of_overlaps() const {
   MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
   if (all[0] > 0.0 && comm->me == 0)
     error->warning(FLERR,
-                   "pair_style hard/square_well: {} pairs of hard cores overlap, "
+                   "pair_style hard/squarewell: {} pairs of hard cores overlap, "
                    "up to {} of the distance; they collide at once where they approach. Start from "
                    "particles that do not overlap",
                    static_cast<bigint>(all[0]), all[1]);

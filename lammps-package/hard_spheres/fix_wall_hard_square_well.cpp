@@ -27,7 +27,7 @@ static constexpr double OVERLAP = 5e-7;
 
 FixWallHardSquareWell::FixWallHardSquareWell(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
-      message_prefix_(std::string("fix ") + arg[0] + " wall/hard/square_well"),
+      message_prefix_(std::string("fix ") + arg[0] + " wall/hard/squarewell"),
       warned_(false) {
   read(narg, arg);
   restart_global = 1;
@@ -67,8 +67,8 @@ void FixWallHardSquareWell::initial_integrate(int) { course_.begin_step(update->
 void FixWallHardSquareWell::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, message_prefix_ + " acts on spheres; use 'atom_style sphere'");
-  if (!force->pair_match("hard/square_well", 1))
-    error->all(FLERR, message_prefix_ + " goes with 'pair_style hard/square_well'; give it first");
+  if (!PairHardSquareWell::in_use(force))
+    error->all(FLERR, message_prefix_ + " goes with 'pair_style hard/squarewell'; give it first");
   const std::vector<double> largest = largest_radii(lmp);
   for (const auto& wall : walls_) {
     if (wall.shape != cohesion::contact_solver::Wall::z_cylinder) continue;
@@ -98,8 +98,7 @@ HardWall FixWallHardSquareWell::wall(int w, double when) const {
 }
 
 const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
-  return dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1))
-      ->contact(type, type);
+  return PairHardSquareWell::in_use(force)->contact(type, type);
 }
 
 double FixWallHardSquareWell::ratio(int type) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #ifdef FIX_CLASS
 // clang-format off
-FixStyle(wall/hard/square_well,FixWallHardSquareWell);
+FixStyle(wall/hard/squarewell,FixWallHardSquareWell);
+FixStyle(wall/hard/square_well,FormerFixWallHardSquareWell);
 // clang-format on
 #else
 
@@ -11,15 +12,16 @@ FixStyle(wall/hard/square_well,FixWallHardSquareWell);
 #include <string>
 #include <vector>
 
+#include "common/former_style.h"
 #include "fix.h"
 #include "hard_spheres/fix_hard_events.h"
 #include "input/hard_contact_from_script.h"
 
 namespace LAMMPS_NS {
 
-/// fix wall/hard/square_well: walls in the event-driven simulation of pair_style hard/square_well.
+/// fix wall/hard/squarewell: walls in the event-driven simulation of pair_style hard/squarewell.
 /// FixHardEvents runs it; this fix stores the parameters of the script. Doc:
-/// docs/lammps-package/fix_wall_hard_square_well.md
+/// docs/lammps-package/fix_wall_hard_squarewell.md
 class FixWallHardSquareWell : public Fix, public HardWallSource {
  public:
   FixWallHardSquareWell(class LAMMPS*, int, char**);
@@ -47,6 +49,10 @@ class FixWallHardSquareWell : public Fix, public HardWallSource {
   cohesion::contact_solver::WallCourse course_;
   bool warned_;  // of particles that overlap the walls or are behind them
 };
+
+inline constexpr char former_wall_hard_square_well[] = "wall/hard/square_well";
+using FormerFixWallHardSquareWell =
+    FormerStyle<FixWallHardSquareWell, former_wall_hard_square_well>;
 
 }  // namespace LAMMPS_NS
 

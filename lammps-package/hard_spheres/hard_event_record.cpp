@@ -29,7 +29,7 @@ HardEventRecord::HardEventRecord(LAMMPS* lammps, const std::string& file)
   if (!enabled_ || comm->me != 0) return;
   file_ = fopen(file.c_str(), "w");
   if (!file_)
-    error->one(FLERR, "pair_style hard/square_well: cannot open file '{}' of keyword record: {}",
+    error->one(FLERR, "pair_style hard/squarewell: cannot open file '{}' of keyword record: {}",
                file, utils::getsyserror());
 }
 

@@ -103,7 +103,7 @@ void HardEventTimeWarp::run_window(double from, double until) {
     if (gvt.time == never) break;
     if (round > simulation_.rules.event_limit)
       error->all(FLERR,
-                 "pair_style hard/square_well: in step {} the processes do not agree on the events "
+                 "pair_style hard/squarewell: in step {} the processes do not agree on the events "
                  "after {} exchanges: particles are pressed together. Use a smaller time step or "
                  "keyword rest or contact_time",
                  update->ntimestep, round);

@@ -44,6 +44,11 @@ PairHardSquareWell::~PairHardSquareWell() {
   memory->destroy(cutsq);
 }
 
+PairHardSquareWell* PairHardSquareWell::in_use(Force* force) {
+  // By its current and its former name.
+  return dynamic_cast<PairHardSquareWell*>(force->pair_match("^hard/square_?well$", 0));
+}
+
 void PairHardSquareWell::allocate() {
   allocated = 1;
   const int types = atom->ntypes;
@@ -55,8 +60,8 @@ void PairHardSquareWell::allocate() {
 /// Adds the virial of the executed events and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  contacts_.require_committed("pair_style hard/square_well");
-  if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
+  contacts_.require_committed("pair_style hard/squarewell");
+  if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/squarewell", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
     for (const Event& event : event_fix_->simulation().events) {
@@ -104,7 +109,7 @@ void PairHardSquareWell::set_contact(int i, int j, const HardContact& c) {
 /* ---------------------------------------------------------------------- */
 
 void PairHardSquareWell::settings(int narg, char** arg) {
-  const std::string message_prefix = "pair_style hard/square_well";
+  const std::string message_prefix = "pair_style hard/squarewell";
   GivenKeywords given_keywords(lmp, message_prefix);
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
@@ -143,11 +148,11 @@ void PairHardSquareWell::settings(int narg, char** arg) {
 void PairHardSquareWell::coeff(int narg, char** arg) {
   if (narg < 4)
     error->all(FLERR,
-               "pair_coeff of hard/square_well takes 'i j restitution e [friction mu] [well D "
+               "pair_coeff of hard/squarewell takes 'i j restitution e [friction mu] [well D "
                "ratio]'");
   if (!allocated) allocate();
   const std::string message_prefix =
-      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/square_well";
+      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/squarewell";
   HardContact c;
   GivenKeywords given_keywords(lmp, message_prefix);
   for (int at = 2; at < narg;) {
@@ -163,24 +168,24 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
 
 void PairHardSquareWell::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, "pair_style hard/square_well acts between spheres; use 'atom_style sphere'");
+    error->all(FLERR, "pair_style hard/squarewell acts between spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
-    error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
+    error->all(FLERR, "pair_style hard/squarewell follows motion in time; it cannot be minimized");
   event_fix_ = FixHardEvents::find_or_create(lmp);
   contacts_.commit();
-  require_plausible_spheres(lmp, "pair_style hard/square_well");
-  require_whole_special_factors(lmp, this, "pair_style hard/square_well", false);
+  require_plausible_spheres(lmp, "pair_style hard/squarewell");
+  require_whole_special_factors(lmp, this, "pair_style hard/squarewell", false);
   largest_radius_ = largest_radii(lmp);
   active_.assign(contacts_.size(), false);
 }
 
 double PairHardSquareWell::init_one(int i, int j) {
-  if (contacts_.to_mix("pair_style hard/square_well", i, j))
+  if (contacts_.to_mix("pair_style hard/squarewell", i, j))
     set_contact(i, j, {mixed(contacts_(i, i), contacts_(j, j))});
   active_[contacts_.number(i, j)] = active_[contacts_.number(j, i)] = true;
   const double edge =
       cohesion::square_well::edge(contacts_(i, j).well, largest_radius_[i], largest_radius_[j]);
-  require_plausible_range(lmp, "pair_style hard/square_well", edge);
+  require_plausible_range(lmp, "pair_style hard/squarewell", edge);
   return edge + list_reach();
 }
 
@@ -206,7 +211,7 @@ void PairHardSquareWell::write_restart_settings(FILE* fp) {
 }
 
 void PairHardSquareWell::read_restart_settings(FILE* fp) {
-  require_layout(lmp, fp, "pair_style hard/square_well", LAYOUT);
+  require_layout(lmp, fp, "pair_style hard/squarewell", LAYOUT);
   int numbers[2] = {0, 0};
   double reals[2] = {0.0, 0.0};
   if (comm->me == 0) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #ifdef PAIR_CLASS
 // clang-format off
-PairStyle(hard/square_well,PairHardSquareWell);
+PairStyle(hard/squarewell,PairHardSquareWell);
+PairStyle(hard/square_well,FormerPairHardSquareWell);
 // clang-format on
 #else
 
@@ -13,6 +14,7 @@ PairStyle(hard/square_well,PairHardSquareWell);
 #include <vector>
 
 #include "common/bound_pairs.h"
+#include "common/former_style.h"
 #include "hard_sphere/event_simulation.h"
 #include "input/hard_contact_from_script.h"
 #include "input/type_pair_table.h"
@@ -20,12 +22,16 @@ PairStyle(hard/square_well,PairHardSquareWell);
 
 namespace LAMMPS_NS {
 
-/// pair_style hard/square_well: hard spheres with square wells, whose impulses act at their exact
+/// pair_style hard/squarewell: hard spheres with square wells, whose impulses act at their exact
 /// times within the step. src/hard_sphere and src/square_well contain the laws and the event-driven
-/// simulation; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_square_well.md
+/// simulation; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_squarewell.md
 class PairHardSquareWell : public Pair, public BoundPairs {
  public:
   explicit PairHardSquareWell(class LAMMPS*);
+
+  /// That of the script, alone or in a hybrid style; nullptr if there is none.
+  static PairHardSquareWell* in_use(class Force*);
+
   ~PairHardSquareWell() override;
 
   void compute(int, int) override;
@@ -59,6 +65,9 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   class FixHardEvents* event_fix_;
   std::vector<bool> active_;  // by pair of types
 };
+
+inline constexpr char former_hard_square_well[] = "hard/square_well";
+using FormerPairHardSquareWell = FormerStyle<PairHardSquareWell, former_hard_square_well>;
 
 }  // namespace LAMMPS_NS
 

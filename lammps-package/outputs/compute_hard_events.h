@@ -12,7 +12,7 @@ ComputeStyle(hard/events,ComputeHardEvents);
 
 namespace LAMMPS_NS {
 
-/// compute ID all hard/events: sums over the events of pair_style hard/square_well and its walls,
+/// compute ID all hard/events: sums over the events of pair_style hard/squarewell and its walls,
 /// by kind. Doc: docs/lammps-package/compute_hard_events.md
 class ComputeHardEvents : public Compute {
  public:

@@ -58,7 +58,8 @@ constexpr PairRow pairs[] = {
 #include "soft_contacts/pair_gran_styles.h"
 #undef PAIR_CLASS
     {"hamaker", &make_pair<PairHamaker>},
-    {"hard/square_well", &make_pair<PairHardSquareWell>},
+    {"hard/squarewell", &make_pair<PairHardSquareWell>},
+    {"hard/square_well", &make_pair<FormerPairHardSquareWell>},
 };
 
 struct Row {
@@ -80,7 +81,8 @@ constexpr Row fixes[] = {
 #include "soft_contacts/fix_wall_gran_styles.h"
 #undef FIX_CLASS
     {"wall/hamaker", &make<FixWallHamaker>},
-    {"wall/hard/square_well", &make<FixWallHardSquareWell>},
+    {"wall/hard/squarewell", &make<FixWallHardSquareWell>},
+    {"wall/hard/square_well", &make<FormerFixWallHardSquareWell>},
 };
 
 constexpr Row computes[] = {

@@ -16,14 +16,14 @@
 /// With a contact, for pairs and, as wall/style, for walls.
 #define COHESION_CONTACT_LAWS(ROW) \
   ROW(gran/hamaker, HamakerCohesion) \
-  ROW(gran/square_well, SquareWellCohesion) \
-  ROW(gran/liquid_bridge, LiquidBridgeCohesion) \
+  ROW(gran/squarewell, SquareWellCohesion) \
+  ROW(gran/liquidbridge, LiquidBridgeCohesion) \
   ROW(gran/jkr, JkrCohesion)
 
 /// All that pairs have: those, and the ones that are laid over another contact.
 #define COHESION_PAIR_LAWS(ROW) \
   COHESION_CONTACT_LAWS(ROW) \
-  ROW(square_well, SquareWellOverlay)
+  ROW(squarewell, SquareWellOverlay)
 // clang-format on
 
 namespace LAMMPS_NS {

@@ -12,10 +12,10 @@
 
 namespace LAMMPS_NS {
 
-/// A liquid bridge as gran/liquid_bridge and wall/gran/liquid_bridge take it.
+/// A liquid bridge as gran/liquidbridge and wall/gran/liquidbridge take it.
 class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Parameters> {
  public:
-  static constexpr char STYLE[] = "gran/liquid_bridge";
+  static constexpr char STYLE[] = "gran/liquidbridge";
   static constexpr char ADHESION[] = "bridge", WITHOUT_ADHESION[] = "bridge 0 0";
   static constexpr int RESTART_LAYOUT = 5;
 

@@ -13,10 +13,10 @@
 
 namespace LAMMPS_NS {
 
-/// A square well as gran/square_well and wall/gran/square_well take it.
+/// A square well as gran/squarewell and wall/gran/squarewell take it.
 class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters> {
  public:
-  static constexpr char STYLE[] = "gran/square_well";
+  static constexpr char STYLE[] = "gran/squarewell";
   static constexpr char ADHESION[] = "well", WITHOUT_ADHESION[] = "well 0 1";
   static constexpr int RESTART_LAYOUT = 6;
 
@@ -36,7 +36,7 @@ class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters>
 /// The well alone, laid over the contact of another style.
 class SquareWellOverlay : public SquareWellCohesion {
  public:
-  static constexpr char STYLE[] = "square_well";
+  static constexpr char STYLE[] = "squarewell";
   static constexpr char COEFFICIENTS[] = "well D ratio'";
   static constexpr bool HAS_CONTACT = false;
   using Solver = cohesion::contact_solver::WellEdgeSolver;

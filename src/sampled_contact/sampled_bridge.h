@@ -14,7 +14,7 @@ inline bool sampled_bridge(double range, double gap, bool bridged) {
   return gap < 0.0 || (bridged && gap < range);
 }
 
-/// A liquid bridge (docs/lammps-package/pair_gran_liquid_bridge.md) as the scheme to compare with:
+/// A liquid bridge (docs/lammps-package/pair_gran_liquidbridge.md) as the scheme to compare with:
 /// it forms and breaks where the pair is found at a grid point, and pulls for the whole step with
 /// the force at its gap there. First order in the step; a touch that begins and ends between two
 /// grid points is missed.

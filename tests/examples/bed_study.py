@@ -143,7 +143,7 @@ class Beds(SmallBeds):
         self.call(study, table, "--seeds", 1, "--out", out)
         for name, kernel, width, style in (("smooth", "sphereOverlap", 0.001, "gran/hooke/history"),
                                            ("exact", "particleCentre", None, "gran/hamaker"),
-                                           ("well", "particleCentre", None, "gran/square_well")):
+                                           ("well", "particleCentre", None, "gran/squarewell")):
             case = out / "runs" / f"{name}-1"
             text = (case / "constant/couplingProperties").read_text()
             self.assertRegex(text, rf"\nvoidFraction\s+{kernel};")

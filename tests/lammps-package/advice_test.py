@@ -177,7 +177,7 @@ class SixWalls(ScriptTestCase):
     def test_one_table(self):
         for style, words, step, warning in (
                 ("wall/gran/hamaker", CONTACT, "4.5e-5", FEW_STEPS),
-                ("wall/gran/square_well", "stiffness 800 restitution 0.9 well 1e-12 1.01", "4.5e-5", FEW_STEPS),
+                ("wall/gran/squarewell", "stiffness 800 restitution 0.9 well 1e-12 1.01", "4.5e-5", FEW_STEPS),
                 ("wall/hamaker", "hamaker 5e-19 cutoff 4e-10 1e-7", "4e-7", "which pairs stick is left to chance")):
             for ranks in (1, 2):
                 with self.subTest(style, ranks=ranks):

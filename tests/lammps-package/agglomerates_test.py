@@ -187,7 +187,7 @@ class Agglomerates(FolderTestCase):
         """A sphere is hit just below a face and leaves through it in the very step that a restart file is
         written, for which it is put back into the box: its partner is still beside it. With restitution
         0.1 the two are held from then on, with 1 never, whatever velocity the image has."""
-        law = "pair_style hard/square_well\npair_coeff * * restitution {} well 0.05 1.2\n"
+        law = "pair_style hard/squarewell\npair_coeff * * restitution {} well 0.05 1.2\n"
         columns = [f"f_{name}[{k}]" for name in ("set", "held") for k in (1, 7, 8)]
 
         def rows(axis, restitution, ranks, more):
@@ -224,7 +224,7 @@ class Agglomerates(FolderTestCase):
         """Nothing is followed between particles that nothing moves, whether the well is deep or D = 0: of a
         frozen row of three and a sphere that overlaps its end, only the latter two are bound."""
         x = numpy.array([[4.0 + 0.99 * k, 4.0, 3.0] for k in range(4)])
-        law = ("pair_style square_well\npair_coeff * * well {} 1.2\n"
+        law = ("pair_style squarewell\npair_coeff * * well {} 1.2\n"
                "group frozen id 1 2 3\ngroup free id 4\n")
         for depth in (0, 1e-9):
             for ranks in (1, 2):
@@ -284,7 +284,7 @@ run 1
         x = numpy.array([[4.0, 2.0, 3.0], [6.0, 3.1, 3.0], [4.0, 6.0, 3.0], [6.0, 6.0, 3.0]])
         v = numpy.array([[1.0, 0, 0], [-1.0, 0, 0], [1.0, 0, 0], [-1.0, 0, 0]])
         self.write(x, v)
-        head = HEAD.replace(LAW, "pair_style hard/square_well\npair_coeff * * restitution 0.1 well 0.05 1.2\n")
+        head = HEAD.replace(LAW, "pair_style hard/squarewell\npair_coeff * * restitution 0.1 well 0.05 1.2\n")
         for ranks in (1, 2):  # of two ranks each has one of each pair at first
             with self.subTest(ranks=ranks):
                 output = self.run_script(

@@ -71,10 +71,10 @@ class BadInput(ScriptTestCase):
         contact = "stiffness 800 restitution 0.9"
         for style, first, then in (
                 ("hamaker cutoff 4e-10 1e-7", "hamaker 1e-19", "hamaker 2e-19"),
-                ("square_well", "well 0 1.1", "well 1e-11 1.1"),
+                ("squarewell", "well 0 1.1", "well 1e-11 1.1"),
                 ("gran/hamaker", contact, contact + " hamaker 1e-19 cutoff 4e-10 1e-7"),
-                ("gran/square_well", contact, contact + " well 1e-11 1.1"),
-                ("hard/square_well", "restitution 0.9", "restitution 0.9 well 1e-11 1.1")):
+                ("gran/squarewell", contact, contact + " well 1e-11 1.1"),
+                ("hard/squarewell", "restitution 0.9", "restitution 0.9 well 1e-11 1.1")):
             begun = (SPHERES.replace("newton off", "newton off\ncomm_modify vel yes") + f"pair_style {style}\n"
                      f"pair_coeff * * {first}\nfix move all nve/sphere\nrun 1\n")
             change = f"pair_coeff * * {then}"

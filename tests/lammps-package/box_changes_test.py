@@ -12,7 +12,7 @@ from cohesion_tests.test_cases import ScriptTestCase
 R, DENSITY, K, SPEED = 5e-4, 2650.0, 800.0, 0.1
 MASS = DENSITY * 4 / 3 * math.pi * R**3
 DT = math.pi * math.sqrt(MASS / 2 / K) / 10
-LAWS = {"hamaker": "hamaker 5e-19 cutoff 4e-10 1e-7", "square_well": "well 1e-11 1.002", "liquid_bridge": "bridge 2e-5 5e-6"}
+LAWS = {"hamaker": "hamaker 5e-19 cutoff 4e-10 1e-7", "squarewell": "well 1e-11 1.002", "liquidbridge": "bridge 2e-5 5e-6"}
 PHASES, HALF, STEPS = 40, 20, 60  # of each of three kinds of contact; in half of them the middle step meets a contact
 BOX, ROW = (-0.01, 0.01), 2.5e-3
 CHANGES = ("x delta 1e-6 1e-6", "y final -0.011 0.0105", "z delta -1e-4 1e-4", "boundary p p s", "triclinic",

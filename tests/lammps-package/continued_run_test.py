@@ -29,8 +29,8 @@ STORED = ["c_tally[3]", "c_tally[4]", "c_tally[12]", "c_tally[5]"]  # springs, o
 MOTION = ["c_tally[1]", "c_tally[2]"]
 LOST = ["c_tally[6]", "c_tally[7]", "c_tally[8]", "c_tally[13]"]
 
-OVERLAY = (f"pair_style hybrid/overlay gran/hamaker square_well\npair_coeff * * gran/hamaker {CONTACT} {HAMAKER}\n"
-           "pair_coeff * * square_well well 1e-10 1.01\n")
+OVERLAY = (f"pair_style hybrid/overlay gran/hamaker squarewell\npair_coeff * * gran/hamaker {CONTACT} {HAMAKER}\n"
+           "pair_coeff * * squarewell well 1e-10 1.01\n")
 
 
 def scene(style, words, oblique=0.0, scheme="exact", walls="", x=5e-3):
@@ -128,7 +128,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         return whole
 
     def test_head_on(self):
-        for name, options in (("hamaker", {"words": HAMAKER, "x": 0.0}), ("square_well", {"words": WELL}),
+        for name, options in (("hamaker", {"words": HAMAKER, "x": 0.0}), ("squarewell", {"words": WELL}),
                               ("hamaker", {"words": HAMAKER, "x": 0.0, "scheme": "sampled"})):
             with self.subTest(name, **options):
                 self.check(*scene(name, **options))
@@ -137,7 +137,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         self.check(scene("hamaker", "")[0], OVERLAY)
 
     def test_with_friction(self):
-        for name, words in (("hamaker", HAMAKER), ("square_well", WELL)):
+        for name, words in (("hamaker", HAMAKER), ("squarewell", WELL)):
             with self.subTest(name):
                 whole = self.check(*scene(name, f"{words} {FRICTION}", oblique=1.0, x=0.0), friction=True)
                 for key in STORED:
@@ -197,10 +197,10 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         pull = depth / cut / (MASS / 2)
         wide = f"well {depth} 1.1"
         for name, scheme, first, then, gap in (
-                ("square_well", "exact", "well 0 1.1", wide, width - 2e-7),
-                ("square_well", "sampled", "well 0 1.1", wide, width - 2e-7),
-                ("square_well", "exact", "well 1e-13 1.01", wide, width - 2e-7),
-                ("square_well", "exact", wide, "", width + 1e-6),
+                ("squarewell", "exact", "well 0 1.1", wide, width - 2e-7),
+                ("squarewell", "sampled", "well 0 1.1", wide, width - 2e-7),
+                ("squarewell", "exact", "well 1e-13 1.01", wide, width - 2e-7),
+                ("squarewell", "exact", wide, "", width + 1e-6),
                 ("hamaker", "exact", "", f"hamaker {A:.17g} cutoff {cut} {10 * cut}", 0.5 * cut)):
             for parts in (1, -1):
                 with self.subTest(name, scheme=scheme, first=first, then=then, parts=parts > 0):
@@ -216,7 +216,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                     tally, end = self.tally(pair + first, "COMPUTE\n" + runs)
                     numpy.testing.assert_array_equal(self.tally(pair + first, runs)[1], end)
                     found = (end[0] - end[1])[4]
-                    if name == "square_well":
+                    if name == "squarewell":
                         # One that parts turns round at the edge. Places of 0.01 m are rounded to 2^-53.
                         self.assertAlmostEqual(found, -speed, delta=1e-9 * speed)
                     else:
@@ -277,7 +277,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             {"type": 1, "diameter": DIAMETER, "density": 2650.0, "v": (-side * SPEED * moves, 0, 0),
              "x": (5e-3 + side * (R + 0.5 * width + way * moves), 5e-3, 5e-3)}
             for side, moves in ((1, 1), (-1, not held))], 3 * [(0.0, 0.01)], 1)
-        return (f"pair_style gran/square_well %s\npair_coeff * * {CONTACT} %s well {depth:.17g} 1.1\n" +
+        return (f"pair_style gran/squarewell %s\npair_coeff * * {CONTACT} %s well {depth:.17g} 1.1\n" +
                 ("group second id 2\nfix hold second freeze\n" if held else ""))
 
     def check_edge(self, pair, runs, held=False, **options):

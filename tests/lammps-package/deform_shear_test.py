@@ -140,7 +140,7 @@ class Collisions(Shear):
         laws = {"sampled": "pair_style gran/hooke/history 800 NULL 5 NULL 0.3 0\npair_coeff * *\n",
                 "exact": "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9 "
                          "friction 0.3 hamaker 1e-6 cutoff 1e-4 1e-2\n",
-                "hard": "pair_style hard/square_well\npair_coeff * * restitution 0.9 "
+                "hard": "pair_style hard/squarewell\npair_coeff * * restitution 0.9 "
                         "friction 0.3 well 0.05 1.05\n"}
         cases = [(law, dimension) for law in laws for dimension in (2, 3)]
         with ThreadPoolExecutor(4) as pool:  # a start is mostly waiting
@@ -190,7 +190,7 @@ class SplitRuns(Shear):
         the flow is the same for all images."""
         self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": numpy.array([5.0, y, 0.0]),
                      "v": numpy.array([0.3, v, 0.0])} for y, v in ((7.95, -1.0), (6.9, 2.0))], 2)
-        head, pair = HEAD % {"dimension": 2, "skin": "1.5"}, ("pair_style hard/square_well\npair_coeff * * "
+        head, pair = HEAD % {"dimension": 2, "skin": "1.5"}, ("pair_style hard/squarewell\npair_coeff * * "
                                                              "restitution 1\n")
         tail = (f"fix shear all deform/shear rate {RATE} profile no\nfix move all nve/sphere disc\n"
                 "fix flat all enforce2d\ntimestep 0.2\n" + DUMP % 1)

@@ -187,7 +187,7 @@ class SoftSpheres(FolderTestCase):
 
 
 HEAD = box() + spheres((1, 0.002, 0.005, 0.005), (1, 0.006, 0.005, 0.005)) + """
-pair_style hard/square_well
+pair_style hard/squarewell
 pair_coeff * * restitution 1
 fix move all nve/sphere
 timestep 1e-4

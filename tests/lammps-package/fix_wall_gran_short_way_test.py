@@ -89,7 +89,7 @@ run {steps}
         speed, depth = 0.1 * R / DT, 0.5 * MASS * (0.1 * R / DT)**2
         heights = [0.005 + k / 8 * speed * DT for k in range(8)]
         way = self.same(heights, [-speed] * 8,
-                        f"square_well stiffness {STIFFNESS} well {depth} 3 zplane 0 NULL", "", steps=100)
+                        f"squarewell stiffness {STIFFNESS} well {depth} 3 zplane 0 NULL", "", steps=100)
         # Faster in the well, and back.
         self.assertGreater(abs(way[:, :, 2]).max() / speed, 1.2)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""'scheme event', the former name of 'scheme exact': the run warns of it in one line and is otherwise the same; exact
-is the default."""
+"""Former names: 'scheme event' of 'scheme exact', and the names of styles. A run warns of each in one line and is
+otherwise the same; exact is the default."""
 import unittest
 from pathlib import Path
 
@@ -18,8 +18,8 @@ run 10
 run 10
 """
 CONTACT = "stiffness 800 restitution 0.9 "
-LAWS = {"hamaker": "hamaker 1e-18 cutoff 4e-10 1e-7", "square_well": "well 1e-11 1.01",
-        "liquid_bridge": "bridge 1e-4 1e-5"}
+LAWS = {"hamaker": "hamaker 1e-18 cutoff 4e-10 1e-7", "squarewell": "well 1e-11 1.01",
+        "liquidbridge": "bridge 1e-4 1e-5"}
 LINE = "scheme 'event' is now called 'exact'; write 'exact', since from version 0.4.0 on the old word stops the run"
 
 
@@ -62,6 +62,35 @@ class SchemeEvent(ScriptTestCase):
     def test_an_unknown_scheme_gets_the_valid_names_alone(self):
         self.stops(HEAD + "pair_style gran/hamaker scheme events\n",
                    "unknown scheme 'events'; valid names: exact, sampled")
+
+
+class NamesOfStyles(ScriptTestCase):
+    """Styles under their names with an underscore: one line each, and the same run."""
+    STYLES = {("gran/squarewell", "gran/square_well"): CONTACT + LAWS["squarewell"],
+              ("gran/liquidbridge", "gran/liquid_bridge"): CONTACT + LAWS["liquidbridge"],
+              ("hard/squarewell", "hard/square_well"): "well 1e-11 1.01 restitution 0.9"}
+
+    def end(self, name, words):
+        file = Path(self.folder) / "out.txt"
+        output = self.goes(HEAD + f"pair_style {name}\npair_coeff * * {words}\n"
+                           f"fix floor all wall/{name} {words} zplane 0 NULL\n" + TAIL.format(file=file))
+        return " ".join(output.split()), file.read_text()
+
+    def test_taken_with_one_line_each(self):
+        for (now, former), words in self.STYLES.items():
+            with self.subTest(now):
+                right, expected = self.end(now, words)
+                self.assertNotIn("is now called", right)
+                output, found = self.end(former, words)
+                for prefix in ("", "wall/"):
+                    self.assertEqual(output.count(f"style '{prefix}{former}' is now called '{prefix}{now}'"), 1, output)
+                self.assertEqual(found, expected)
+
+    def test_an_overlay(self):
+        output = self.goes(HEAD + "pair_style hybrid/overlay gran/hooke/history 800 NULL 0 NULL 0 0 square_well\n"
+                           "pair_coeff * * gran/hooke/history\npair_coeff * * square_well well 1e-11 1.01\n"
+                           "fix move all nve/sphere\nrun 10\n")
+        self.assertEqual(output.count("style 'square_well' is now called 'squarewell'"), 1, output)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""pair_style gran/liquid_bridge and fix wall/gran/liquid_bridge in LAMMPS, against closed forms: who
+"""pair_style gran/liquidbridge and fix wall/gran/liquidbridge in LAMMPS, against closed forms: who
 stays, what a broken bridge takes, and that a bridge goes from run to run, rank to rank and through
 restart files."""
 import math
@@ -16,7 +16,7 @@ from cohesion_tests.theory.liquid_bridge import FORCE, GAP, Capillary, escape_ve
 from cohesion_tests.theory.pair_motion import DAMPING, DENSITY, DIAMETER, MASS, MU, STIFFNESS
 from cohesion_tests.thermo import thermo_lines
 
-STYLE = "gran/liquid_bridge"
+STYLE = "gran/liquidbridge"
 POSITIONS = 8  # of the touch within the step
 LAWS = ((1e-5, 1e-5), (FORCE, GAP), (1e-3, 2e-6))  # F_b, h_r
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pair_style gran/square_well and its wall refuse, and what their advice says, in LAMMPS."""
+"""What pair_style gran/squarewell and its wall refuse, and what their advice says, in LAMMPS."""
 import math
 import unittest
 
@@ -12,10 +12,10 @@ from cohesion_tests.theory.pair_motion import DAMPING, DIAMETER, MASS, STIFFNESS
 
 class Input(Scene):
     def test_wrong_words_and_values(self):
-        style = "pair_style gran/square_well\npair_coeff * * "
-        wall = style + "stiffness 800\nfix w all wall/gran/square_well "
+        style = "pair_style gran/squarewell\npair_coeff * * "
+        wall = style + "stiffness 800\nfix w all wall/gran/squarewell "
         for text, expected in (
-                ("pair_style gran/square_well form exact", ("form", "valid ones: scheme")),
+                ("pair_style gran/squarewell form exact", ("form", "valid ones: scheme")),
                 (style + "stiffness 800 hamaker 1e-19", ("hamaker", "well")),
                 (style + "stiffness 800 well 1e-11", ("well", "takes 2")),
                 (style + "stiffness 800 well -1e-11 1.1", ("depth D", "-1e-11")),
@@ -31,8 +31,8 @@ class Input(Scene):
 
     def test_advice_has_the_escape_velocity(self):
         code, output = engine.run_text(
-            HEAD + "pair_style gran/square_well\npair_coeff * * " + words(5e-11, 1.01) +
-            "\nfix w all wall/gran/square_well " + words(1e-10, 1.01) + " zplane 0 NULL" + MOVE,
+            HEAD + "pair_style gran/squarewell\npair_coeff * * " + words(5e-11, 1.01) +
+            "\nfix w all wall/gran/squarewell " + words(1e-10, 1.01) + " zplane 0 NULL" + MOVE,
             self.folder)
         self.assertEqual(code, 0, output)
         row = next(l for l in output.splitlines() if l.strip().startswith("1 - 1")).split()

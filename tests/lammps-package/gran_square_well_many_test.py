@@ -12,13 +12,13 @@ from cohesion_tests.lammps_scenes.square_well_scene import Gas, report, words
 class Many(Gas):
     PAIR = ["1 1 " + words(2e-10, 1.1, friction=0.3), "2 2 " + words(1e-10, 1.05, friction=0.1),
             "3 3 " + words(1e-10, 1.2, friction=0.1)]
-    FIXES = ["fix w all wall/gran/square_well " + words(4e-10, 1.1, friction=0.3) +
+    FIXES = ["fix w all wall/gran/squarewell " + words(4e-10, 1.1, friction=0.3) +
              " zplane 0 0.0106", "fix g all gravity 9.81 vector 0 0 -1"]
 
     def end(self, scheme, **options):
         atoms = self.write_gas() if options.get("mode") != "restart" else None
         return self.follow(atoms, self.PAIR, 1e-5, 1000, self.FIXES, self.BOX, boundary="p p f",
-                           style="gran/square_well scheme " + scheme, **options)
+                           style="gran/squarewell scheme " + scheme, **options)
 
     def test_ranks_and_restart(self):
         for scheme in ("exact", "sampled"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""pair_style square_well over contacts of LAMMPS: ranks, restarts, energy, refraction and input."""
+"""pair_style squarewell over contacts of LAMMPS: ranks, restarts, energy, refraction and input."""
 import math
 import unittest
 
@@ -14,21 +14,21 @@ from cohesion_tests.thermo import thermo_lines
 
 
 class Overlay(Gas):
-    """pair_style square_well over contacts of LAMMPS."""
+    """pair_style squarewell over contacts of LAMMPS."""
     GAMMA = DAMPING / MU
 
     def style(self, friction):
         return (f"hybrid/overlay gran/hooke/history {STIFFNESS} {2 / 7 * STIFFNESS} {self.GAMMA:.17g} "
-                f"NULL {friction} {int(friction > 0)} square_well")
+                f"NULL {friction} {int(friction > 0)} squarewell")
 
     def end(self, scheme, **options):
         # Without friction: LAMMPS' own style loses its history when hybrid is given again.
         atoms = self.write_gas() if options.get("mode") != "restart" else None
-        return self.follow(atoms, ["* * gran/hooke/history", "1 1 square_well well 2e-10 1.1",
-                                   "2 2 square_well well 1e-10 1.05", "3 3 square_well well 1e-10 1.2",
-                                   "1 3 square_well well 1.4e-10 1.15", "1 2 square_well well 1e-10 1.1",
-                                   "2 3 square_well well 1e-10 1.1"],
-                           1e-5, 1000, ["fix w all wall/gran/square_well stiffness 800 restitution 0.9 "
+        return self.follow(atoms, ["* * gran/hooke/history", "1 1 squarewell well 2e-10 1.1",
+                                   "2 2 squarewell well 1e-10 1.05", "3 3 squarewell well 1e-10 1.2",
+                                   "1 3 squarewell well 1.4e-10 1.15", "1 2 squarewell well 1e-10 1.1",
+                                   "2 3 squarewell well 1e-10 1.1"],
+                           1e-5, 1000, ["fix w all wall/gran/squarewell stiffness 800 restitution 0.9 "
                                         "well 4e-10 1.1 zplane 0 0.0106",
                                         "fix g all gravity 9.81 vector 0 0 -1"], self.BOX,
                            boundary="p p f", style=self.style(0.0), **options)
@@ -44,7 +44,7 @@ class Overlay(Gas):
             numpy.testing.assert_array_equal(other[:, 0], whole[:, 0])
             difference = numpy.abs(other[:, 1:4] - whole[:, 1:4]).max()
             report(f"overlay, {name}: differs by {difference:.1e} m after 1000 steps")
-            self.assertLess(difference, 1e-12)  # as for gran/square_well
+            self.assertLess(difference, 1e-12)  # as for gran/squarewell
 
     def test_energy_of_an_impact(self):
         # Elastic contact, in and out of the well with D gained and lost: the speed is back. What the
@@ -52,11 +52,11 @@ class Overlay(Gas):
         depth, speed, dt, width = 5e-11, 0.02, T_C / 50, 1e-5
         inside = math.hypot(speed, well_speed(depth))
         found = []
-        for v, lines, gap in ((speed, ["* * gran/hooke/history", f"* * square_well well {depth} 1.01"],
+        for v, lines, gap in ((speed, ["* * gran/hooke/history", f"* * squarewell well {depth} 1.01"],
                                width + 1e-7),
-                              (inside, ["* * gran/hooke/history", "* * square_well well 0 1.01"], 1e-7)):
+                              (inside, ["* * gran/hooke/history", "* * squarewell well 0 1.01"], 1e-7)):
             atoms = couples.couple(0, gap, (0.0, v, 0.0))
-            style = f"hybrid/overlay gran/hooke/history {STIFFNESS} 228 0 NULL 0 0 square_well"
+            style = f"hybrid/overlay gran/hooke/history {STIFFNESS} 228 0 NULL 0 0 squarewell"
             path, output = couples.run(atoms, lines, dt, 1000, every=1, style=style, skin=4e-4)
             out = relative(path[-1])[0, 4]
             found.append(out**2 + (2 * depth / MU if v == speed else 0.0))
@@ -80,7 +80,7 @@ class Overlay(Gas):
             atoms += couples.couple(len(atoms) // 2, distance - DIAMETER, (0.0, speed, 0.0),
                                     normal=(offset / distance, along / distance, 0.0),
                                     pitch=(4e-3, 6e-3))
-        lines = ["* * gran/hooke/history", f"* * square_well well {depth} {ratio}"]
+        lines = ["* * gran/hooke/history", f"* * squarewell well {depth} {ratio}"]
         steps = int(2.2 * edge / speed / dt)
         path, _ = couples.run(atoms, lines, dt, steps, style=self.style(0.0), skin=1e-3,
                               size=(0.03, 0.01, 0.004))
@@ -100,8 +100,8 @@ class Overlay(Gas):
         atoms = [atom for k in range(8) for atom in couples.couple(k, (k - 4) * 1e-6, (0.0, 0.02, 0.0))]
         paths = [couples.run(atoms, lines, T_C / 50, 100, style=style, skin=4e-4)[0]
                  for lines, style in ((["* *"], contact),
-                                      (["* * gran/hooke/history", "* * square_well well 0 1.01"],
-                                       f"hybrid/overlay {contact} square_well"))]
+                                      (["* * gran/hooke/history", "* * squarewell well 0 1.01"],
+                                       f"hybrid/overlay {contact} squarewell"))]
         numpy.testing.assert_array_equal(paths[1], paths[0])
 
     def test_without_depth_there_is_no_list(self):
@@ -110,10 +110,10 @@ class Overlay(Gas):
         asks = "fix clusters all agglomerates 1\n"
         for depth, fix, listed in ((0.0, "", False), (1e-11, "", True), (0.0, asks, True)):
             code, output = engine.run_text(HEAD + f"pair_style {self.style(0.0)}\npair_coeff * * gran/hooke/history\n"
-                                           f"pair_coeff * * square_well well {depth} 1.01\n" + fix + MOVE, self.folder)
+                                           f"pair_coeff * * squarewell well {depth} 1.01\n" + fix + MOVE, self.folder)
             self.assertEqual(code, 0, output)
             self.assertIn("pair gran/hooke/history", output)
-            self.assertEqual("pair square_well" in output, listed, output)
+            self.assertEqual("pair squarewell" in output, listed, output)
 
     def test_depth_that_is_given_later(self):
         """Pairs are then where they are: one in the well has to climb out, one outside falls in, one
@@ -122,8 +122,8 @@ class Overlay(Gas):
         atoms = [atom for k, (gap, v) in enumerate(((4e-6, -speed), (1.1e-5, speed), (1.1e-5, -speed)))
                  for atom in couples.couple(k, gap, (0.0, v, 0.0))]
         start, deeper = (f"pair_style {self.style(0.0)}\npair_coeff * * gran/hooke/history\n"
-                         "pair_coeff * * square_well well 0 1.01\nfix move all nve/sphere\n",
-                         f"pair_coeff * * square_well well {depth} 1.01\n")
+                         "pair_coeff * * squarewell well 0 1.01\nfix move all nve/sphere\n",
+                         f"pair_coeff * * squarewell well {depth} 1.01\n")
         engine.write_spheres(self.folder, atoms, [(0.0, 0.064), (0.0, 0.01), (0.0, 0.004)], 1)
         head = ("plugin load ${plugin}\nunits si\natom_style sphere\nnewton off\ncomm_modify vel yes\n",
                 f"neighbor 4e-4 bin\ntimestep {dt!r}\n")
@@ -145,11 +145,11 @@ class Overlay(Gas):
 
     def test_input(self):
         for text, expected in (
-                ("square_well scheme exact\npair_coeff * * well 1e-11 1.1", ("no keywords", "scheme")),
-                ("square_well\npair_coeff * * well 1e-11", ("well", "takes 2")),
-                ("square_well\npair_coeff * * D 1e-11", ("'D'", "well")),
-                ("square_well\npair_coeff * * well 1e-11 0.9", ("ratio r_out/r", "0.9")),
-                ("square_well\npair_coeff * * well 1e-11 1.1 3", ("'3'",))):
+                ("squarewell scheme exact\npair_coeff * * well 1e-11 1.1", ("no keywords", "scheme")),
+                ("squarewell\npair_coeff * * well 1e-11", ("well", "takes 2")),
+                ("squarewell\npair_coeff * * D 1e-11", ("'D'", "well")),
+                ("squarewell\npair_coeff * * well 1e-11 0.9", ("ratio r_out/r", "0.9")),
+                ("squarewell\npair_coeff * * well 1e-11 1.1 3", ("'3'",))):
             code, output = engine.run_text(HEAD + "pair_style " + text + MOVE, self.folder)
             self.assertEqual(code, 1, output)
             for word in expected:

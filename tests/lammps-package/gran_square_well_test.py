@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""pair_style gran/square_well and fix wall/gran/square_well in LAMMPS, against closed forms. With the
+"""pair_style gran/squarewell and fix wall/gran/squarewell in LAMMPS, against closed forms. With the
 table of escape velocities of both schemes."""
 import math
 import unittest
@@ -44,7 +44,7 @@ class HeadOn(unittest.TestCase):
         coefficients = [f"{k} {k} {words(depth, self.RATIO)}" for k, depth in enumerate(DEPTHS, 1)]
         # In and out of the well takes below 40 t_c, on the way to it 0.3 ms.
         path = couples.run(atoms, coefficients, dt, 200 * division, types=len(DEPTHS), skin=4e-4,
-                           every=20 * division, style="gran/square_well scheme " + scheme)[0]
+                           every=20 * division, style="gran/squarewell scheme " + scheme)[0]
         parted = have_parted(gaps(path), self.WIDTH)
         parted = parted.reshape(len(DEPTHS), len(factors), POSITIONS)
         factors = numpy.array(factors)
@@ -72,7 +72,7 @@ class HeadOn(unittest.TestCase):
         for k in range(16):
             atoms += couples.couple(k, 5e-6 + speed * dt * k / 16, (0.0, -speed, 0.0))
         path = couples.run(atoms, ["* * " + words(5e-11, self.RATIO)], dt, 100,
-                           style="gran/square_well scheme sampled")[0]
+                           style="gran/squarewell scheme sampled")[0]
         energies = 0.5 * MU * (relative(path[-1])[:, 3:6]**2).sum(axis=1)
         # A hundred roundings of places, of which the direction is made, and of speeds.
         expected = 0.5 * MU * speed**2 - 5e-11
@@ -86,12 +86,12 @@ class HeadOn(unittest.TestCase):
         atoms = []
         for factor in (1 - 1e-5, 1 + 1e-5):
             atoms += couples.couple(len(atoms) // 2, self.WIDTH + 1e-7, (0, factor * escape, 0))
-        for style, line in (("gran/square_well", words(depth, self.RATIO)),
+        for style, line in (("gran/squarewell", words(depth, self.RATIO)),
                             ("gran/hamaker", pair_motion.Pair(7.49e-19).words())):
             path = couples.run(atoms, ["* * " + line], T_C / 4, 1600, style=style, skin=4e-4,
                                every=80)[0]
             # The pair of gran/hamaker is free beyond H_cut, and then slow.
-            width = self.WIDTH if style == "gran/square_well" else pair_motion.CUT
+            width = self.WIDTH if style == "gran/squarewell" else pair_motion.CUT
             self.assertEqual(list(have_parted(gaps(path), width)), [False, True], style)
         report(f"A 7.49e-19 J and D {depth:.4g} J share the escape velocity {escape:.4g} m/s")
 
@@ -121,7 +121,7 @@ class Passes(unittest.TestCase):
                         ((1, 1e-11, ratios[0]), (2, 16e-11, ratios[1]))]
         for dt in (T_C / 20, T_C / 4):
             path, output = couples.run(atoms, coefficients, dt, int(2.2 * edge / speed / dt), types=2,
-                                       style="gran/square_well", skin=1e-3, size=(0.03, 0.01, 0.004),
+                                       style="gran/squarewell", skin=1e-3, size=(0.03, 0.01, 0.004),
                                        every=1 if dt == T_C / 4 else 0)
             out = relative(path[-1])[:, 3:5]
             turned = numpy.arctan2(-out[:, 0], -out[:, 1])
@@ -158,7 +158,7 @@ class Passes(unittest.TestCase):
         for k in range(20):
             atoms += couples.couple(k, 1e-5 + 1e-7 + k * speed * dt / 20, (0.0, speed, 0.0))
         path, output = couples.run(atoms, ["* * " + words(depth, 1.01)], dt, 100, every=1,
-                                   style="gran/square_well", skin=4e-4)
+                                   style="gran/squarewell", skin=4e-4)
         names, lines = thermo_lines(output)
         table = dict(zip(names, numpy.array(lines).T))
         energy = table["c_tally[1]"][0]
@@ -185,7 +185,7 @@ class Captured(Scene):
         floor = numpy.array([2e-3, 6e-3, 0.5e-3])
         atoms += [self.sphere(floor), self.sphere(floor + (1.0005 * DIAMETER, 0, 0))]
         self.follow(atoms, ["* * " + words(depth, ratio, 0.0)], T_C / 4, 30000, every=300,
-                    fixes=["fix floor all wall/gran/square_well stiffness 800 damping 0 zplane 0 NULL",
+                    fixes=["fix floor all wall/gran/squarewell stiffness 800 damping 0 zplane 0 NULL",
                            "fix g moving gravity 9.81 vector 0 0 -1"])
         course = self.course()
         pairs = course[:, :, 1:4].reshape(len(course), 3, 2, 3)
@@ -238,7 +238,7 @@ class Walls(Scene):
                  for k, factor in enumerate((0.95, 1.05)) for position in range(POSITIONS)]
         contact = words(depth, ratio)
         self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 40000, box=3 * [(0.0, 0.02)], every=2001,
-                    fixes=[f"fix w all wall/gran/square_well scheme sampled {contact} zplane 0 NULL"])
+                    fixes=[f"fix w all wall/gran/squarewell scheme sampled {contact} zplane 0 NULL"])
         parted = have_parted(self.course()[:, :, 3] - DIAMETER / 2, width).reshape(2, POSITIONS)
         self.assertFalse(parted[0].any())
         self.assertTrue(parted[1].all())
@@ -250,7 +250,7 @@ class Walls(Scene):
         v = 0.7 * well_speed(depth, MASS) * numpy.array([1.0, -0.83, 0.71])
         atoms = [self.sphere(DIAMETER / 2 * numpy.array([1.02, 1.03, 1.01]), v)]
         self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 30000, every=30,
-                    fixes=["fix w all wall/gran/square_well " + words(depth, ratio, 0.0) +
+                    fixes=["fix w all wall/gran/squarewell " + words(depth, ratio, 0.0) +
                            " xplane 0 NULL yplane 0 NULL zplane 0 NULL"])
         course = self.course()[:, 0]
         inside = (course[:, 1:4] > 0.5 * DIAMETER + 1e-6).all(axis=1)
@@ -269,7 +269,7 @@ class Walls(Scene):
         speed = 5e-3
         end = self.follow([self.sphere((5e-3, 5e-3, 0.51e-3), (0, 0, -speed))],
                           ["* * " + words(1e-10, 1.05)], T_C / 4, 400,
-                          fixes=["fix w all wall/gran/square_well stiffness 800 restitution 1 "
+                          fixes=["fix w all wall/gran/squarewell stiffness 800 restitution 1 "
                                  "zplane 0 NULL"])
         self.assertAlmostEqual(end[0, 6] / speed, 1, delta=1e-9)
 

@@ -129,14 +129,14 @@ class Pairs(unittest.TestCase):
         dt = hooke(5000, e) / 8
         within = math.sqrt(v**2 + 2 * depth / MU)
         out = math.sqrt((e * within)**2 - 2 * depth / MU)
-        for more, words in ((0, "gran/square_well"), (1, "square_well")):
+        for more, words in ((0, "gran/squarewell"), (1, "squarewell")):
             with self.subTest(words):
                 totals, _, path = run(atoms, words if not more else
-                                      "hybrid/overlay gran/hamaker square_well",
+                                      "hybrid/overlay gran/hamaker squarewell",
                                       f"stiffness 5000 restitution {e} well {depth} {ratio}"
                                       if not more else
                                       f"gran/hamaker stiffness 5000 restitution {e}\n"
-                                      f"pair_coeff * * square_well well {depth} {ratio}", dt, 200)
+                                      f"pair_coeff * * squarewell well {depth} {ratio}", dt, 200)
                 self.assertGreater(path[-1, 1, 1] - path[-1, 0, 1], 1.02)
                 contact, adhesion = totals[-1, 0, 0], totals[-1, 1, 0]
                 # Where the grid stands when an impulse acts: within the well or the overlap of a
@@ -165,7 +165,7 @@ class Many(unittest.TestCase):
                                   "cutoff 1e-3 1e-2"),
         "sampled": ("gran/hamaker scheme sampled", "stiffness 5000 restitution 0.8 friction 0.3 "
                                                    "hamaker 1e-5 cutoff 1e-3 1e-2"),
-        "well": ("gran/square_well", "stiffness 5000 restitution 0.8 friction 0.3 well 0.05 1.02"),
+        "well": ("gran/squarewell", "stiffness 5000 restitution 0.8 friction 0.3 well 0.05 1.02"),
     }
 
     def atoms(self, dimension):
@@ -253,10 +253,10 @@ class Input(unittest.TestCase):
     def test_pair_styles_that_it_does_not_know(self):
         hooke = "gran/hooke/history 800 228 0 NULL 0 0"
         cases = [(hooke, "", "gran/hooke/history"),
-                 ("hard/square_well", "restitution 1", "hard/square_well"),
+                 ("hard/squarewell", "restitution 1", "hard/squarewell"),
                  (f"hybrid/overlay {hooke} zero 1.0", None, "hybrid/overlay"),
-                 (f"hybrid/overlay {hooke} square_well", None, None)]
-        members = {"gran/hooke/history": "", "square_well": "well 0.05 1.1", "zero": ""}
+                 (f"hybrid/overlay {hooke} squarewell", None, None)]
+        members = {"gran/hooke/history": "", "squarewell": "well 0.05 1.1", "zero": ""}
         for style, words, foreign in cases:
             pairs = (f"pair_coeff * * {words}\n" if words is not None else
                      "".join(f"pair_coeff * * {name} {members[name]}\n" for name in members

@@ -30,8 +30,8 @@ class HamakerKeywords(ScriptTestCase):
                 (right + wall.replace("hamaker 1e-19 cutoff", "1e-19"),
                  "fix wall wall/hamaker: numbers without keywords; write 'hamaker 1e-19 cutoff 4e-10 1e-7'"),
                 (scene.SPHERES.replace("newton off", "newton off\ncomm_modify vel yes")
-                 + "pair_style square_well\npair_coeff * * 1e-11 1.1\n",
-                 "of square_well: numbers without keywords; write 'well 1e-11 1.1'")):
+                 + "pair_style squarewell\npair_coeff * * 1e-11 1.1\n",
+                 "of squarewell: numbers without keywords; write 'well 1e-11 1.1'")):
             output = self.goes(text + scene.TAIL)
             self.assertEqual(output.count("without keywords"), 1, output)
             self.assertIn(instead, " ".join(output.split()))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What breaks naive codes, under pair_style hard/square_well: corners, inelastic collapse, input that cannot work."""
+"""What breaks naive codes, under pair_style hard/squarewell: corners, inelastic collapse, input that cannot work."""
 import math
 import re
 import unittest
@@ -24,7 +24,7 @@ class Corner(unittest.TestCase):
                   for place, side in ((0.0, 1), (10.0, -1))]
         exact = Reference([x], [v], 0.5, 1.0, 3 * [math.inf], planes=planes)
         exact.run(3.0)
-        more = [f"fix side{axis} all wall/hard/square_well {words} {'xyz'[axis]}plane 0 10"
+        more = [f"fix side{axis} all wall/hard/squarewell {words} {'xyz'[axis]}plane 0 10"
                 for axis in axes]
         path, events, _, _ = follow([hard.atom(x, v)], ["* * restitution 1 well 0.1 1.2"], 0.05, 60,
                                     box=dimension * [(0.0, 10.0)] + (3 - dimension) * [(-0.5, 0.5)],
@@ -57,7 +57,7 @@ class Collapse(unittest.TestCase):
         atoms = [hard.atom((0.51 + 1.01 * n, 10, 10), (-1.0, 0, 0)) for n in range(10)]
         box = [(0.0, 20.0)] * 3
         more = ["fix down all gravity 1.0 vector -1 0 0",
-                "fix floor all wall/hard/square_well restitution 0.1 xplane 0 20"]
+                "fix floor all wall/hard/squarewell restitution 0.1 xplane 0 20"]
         return atoms, ["* * restitution 0.1"], {"box": box, "style": style, "more": more,
                                                 "boundary": "f p p", **options}
 
@@ -100,7 +100,7 @@ class Collapse(unittest.TestCase):
         path, _, table, output = follow(
             atoms, ["* * restitution 1"], 0.37, 400, box=3 * [(-10.0, 10.0)], style="", skin=2.0,
             boundary="f f p", every=1,
-            more=["fix pipe all wall/hard/square_well restitution 0.7 well off zcylinder 3.0"])
+            more=["fix pipe all wall/hard/squarewell restitution 0.7 well off zcylinder 3.0"])
         across = path[:, 0, 4:6]
         energy = (across**2).sum(axis=1)
         self.assertLess(numpy.diff(energy).max(), 1e-14)
@@ -182,7 +182,7 @@ class BoundClusters(unittest.TestCase):
             _, table, _ = gas.run(folder, ["* * restitution 0.5 friction 0.3 well 1000 1.01"], 0.02, 1000, style="",
                                   skin=1.0, boundary="p p f", every=100,
                                   more=["fix down all gravity 0.5 vector 0 0 -1",
-                                        "fix ends all wall/hard/square_well restitution 0.5 friction 0.3 "
+                                        "fix ends all wall/hard/squarewell restitution 0.5 friction 0.3 "
                                         f"zplane 0 {high}"])
             self.assertGreater(table["c_events[35]"][-1], 100)
             self.assertLess(table["c_events[18]"][-1], 20000)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What breaks naive codes, under pair_style hard/square_well: many events in one step, thin wells, grazing passes,
+"""What breaks naive codes, under pair_style hard/squarewell: many events in one step, thin wells, grazing passes,
 captured pairs and triples."""
 import math
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Input of pair_style hard/square_well, fix wall/hard/square_well and compute hard/events: what is
+"""Input of pair_style hard/squarewell, fix wall/hard/squarewell and compute hard/events: what is
 refused and why, and what is warned of."""
 import unittest
 
@@ -24,7 +24,7 @@ timestep %(dt)s
 """
 USUAL = {"newton": "off", "velocities": "comm_modify vel yes", "dt": "0.01", "second": "1",
          "speed": "1"}
-PAIR = "pair_style hard/square_well\npair_coeff * * restitution 0.9 friction 0.3 well 0.5 1.2\n"
+PAIR = "pair_style hard/squarewell\npair_coeff * * restitution 0.9 friction 0.3 well 0.5 1.2\n"
 MOVE = "fix move all nve/sphere\nrun 2\n"
 
 
@@ -34,7 +34,7 @@ def script(middle=PAIR, tail=MOVE, **changes):
 
 class Input(ScriptTestCase):
     def test_wrong_words_and_values_of_a_pair(self):
-        style = "pair_style hard/square_well\npair_coeff * * "
+        style = "pair_style hard/squarewell\npair_coeff * * "
         for words, expected in (
                 ("restitutoin 0.9", ("restitutoin", "restitution", "well")),
                 ("restitution 1.1", ("restitution e = 1.1", "between 0 and 1")),
@@ -49,7 +49,7 @@ class Input(ScriptTestCase):
                 self.stops(script(style + words), *expected)
 
     def test_a_well_of_no_depth_may_have_no_width(self):
-        self.goes(script("pair_style hard/square_well\npair_coeff * * restitution 1 well 0 1\n"))
+        self.goes(script("pair_style hard/squarewell\npair_coeff * * restitution 1 well 0 1\n"))
 
     def test_wrong_settings(self):
         for words, expected in (("colapse off", ("colapse", "rest, collapse, contact_time, limit")),
@@ -61,11 +61,11 @@ class Input(ScriptTestCase):
                                 ("record", ("takes a file name",)),
                                 ("record no/such/folder/f", ("cannot open", "no/such/folder/f"))):
             with self.subTest(words):
-                self.stops(script(PAIR.replace("square_well", "square_well " + words, 1)),
+                self.stops(script(PAIR.replace("squarewell", "squarewell " + words, 1)),
                            *expected)
 
     def test_missing_types(self):
-        self.stops(script("pair_style hard/square_well\npair_coeff 1 1 restitution 1\n"),
+        self.stops(script("pair_style hard/squarewell\npair_coeff 1 1 restitution 1\n"),
                    "pair coeffs are not set")
 
     def test_what_the_engine_must_provide(self):
@@ -75,7 +75,7 @@ class Input(ScriptTestCase):
         self.stops(script(tail="minimize 0 0 1 1\n"), "minimized")
 
     def test_walls(self):
-        wall = "fix w all wall/hard/square_well "
+        wall = "fix w all wall/hard/squarewell "
         for words, expected in (
                 ("restitution 1", ("no wall",)),
                 ("xplane -5 5", ("give 'restitution e'",)),
@@ -85,11 +85,11 @@ class Input(ScriptTestCase):
             with self.subTest(words):
                 self.stops(script(tail=wall + words + "\n" + MOVE), *expected)
         self.stops(HEAD % USUAL + wall + "restitution 1 xplane -5 5\npair_style zero 2\n"
-                   "pair_coeff * *\n" + MOVE, "pair_style hard/square_well")
+                   "pair_coeff * *\n" + MOVE, "pair_style hard/squarewell")
 
     def test_compute_needs_the_pair_style(self):
         self.stops(HEAD % USUAL + "pair_style zero 2\npair_coeff * *\ncompute h all hard/events\n" +
-                   MOVE, "pair_style hard/square_well")
+                   MOVE, "pair_style hard/squarewell")
         self.stops(script(tail="group one type 1\ncompute h one hard/events\n"), "must be 'all'")
 
     def test_a_step_too_long_for_the_list_names_the_skin(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two particles under pair_style hard/square_well: every impulse law against
+"""Two particles under pair_style hard/squarewell: every impulse law against
 closed forms, many couples in one box."""
 import math
 import unittest

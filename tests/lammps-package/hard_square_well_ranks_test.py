@@ -58,7 +58,7 @@ class RanksAndRestart(unittest.TestCase):
         gas = Gas(160, 0.5, 2, (0.4, 0.6), seed=3)
         self.same(gas, [f"* * restitution 0.9 friction 0.3 well {DEPTH} {RATIO}"], 0.05, 200, 48e2,
                   ranks=(2, 4), restarted=(4,), spin=gas.spin(), skin=1.0, boundary="p f p",
-                  more=["fix sides all wall/hard/square_well restitution 0.8 friction 0.3 "
+                  more=["fix sides all wall/hard/squarewell restitution 0.8 friction 0.3 "
                         f"yplane 0 {gas.length:.17g}"])
 
     def bed(self, rules, least):
@@ -66,7 +66,7 @@ class RanksAndRestart(unittest.TestCase):
         return self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 40, least,
                          rules=rules, skin=1.0, boundary="p f p",
                          more=["fix down all gravity 5.0 vector 0 -1 0",
-                               "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
+                               "fix sides all wall/hard/squarewell restitution 0.3 friction 0.3 "
                                f"yplane 0 {gas.length:.17g}"])
 
     def test_bed_where_the_rule_against_collapse_acts(self):
@@ -88,7 +88,7 @@ class RanksAndRestart(unittest.TestCase):
         table = self.same(gas, ["* * restitution 0.9 friction 0.3"], 0.01, 400, 2e4, skin=0.3,
                           boundary="f f p",
                           more=["fix down all gravity 1.0 vector 0 -1 0",
-                                "fix sides all wall/hard/square_well restitution 0.9 friction 0.3 "
+                                "fix sides all wall/hard/squarewell restitution 0.9 friction 0.3 "
                                 f"xplane 0 {gas.length} yplane 0 NULL"])
         self.assertGreater(table["c_events[35]"][-1], 1e4)
         self.assertGreater(table["c_events[36]"][-1], 0)

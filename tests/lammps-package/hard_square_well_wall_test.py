@@ -25,7 +25,7 @@ class Walls(unittest.TestCase):
             path, table, _ = hard.run(
                 folder, pair or [f"* * restitution 1 well {self.DEPTH} {self.RATIO}"], dt, steps,
                 style="record events.txt", boundary="f p p",
-                more=[f"fix sides all wall/hard/square_well {wall}"])
+                more=[f"fix sides all wall/hard/squarewell {wall}"])
             events = defaultdict(list)
             for event in hard.recorded(folder):
                 self.assertTrue(event.kind.startswith("wall_"))
@@ -157,7 +157,7 @@ class Cylinder(unittest.TestCase):
                 folder, ["* * restitution 1"], 0.37, steps, boundary="f f p", skin=2.0, every=10,
                 style="record events.txt",
                 more=["displace_atoms all move -10 -10 0", "change_box all x final -10 10 y final "
-                      "-10 10", f"fix pipe all wall/hard/square_well restitution {restitution} "
+                      "-10 10", f"fix pipe all wall/hard/squarewell restitution {restitution} "
                       f"{words} zcylinder {self.RADIUS}"])
             return path, hard.recorded(folder)
 
@@ -220,7 +220,7 @@ class BetweenWalls(unittest.TestCase):
             path, table, _ = hard.run(
                 folder, ["* * restitution 1 well 1 1.5"], dt, steps, boundary="f p p", skin=20.0,
                 style="record events.txt", every=max(1, steps // 50),
-                more=["fix sides all wall/hard/square_well restitution 1 well "
+                more=["fix sides all wall/hard/squarewell restitution 1 well "
                       f"{depth_of_walls} xplane 0 4"])
             events = hard.recorded(folder)
         numpy.testing.assert_allclose(path[-1, :, 1:4], start, rtol=0, atol=1e-12)
@@ -244,7 +244,7 @@ class BetweenWalls(unittest.TestCase):
             engine.write_spheres(folder, atoms, [(0.0, 4.0), (-10.0, 10.0), (-10.0, 10.0)], 1)
             path, _, _ = hard.run(folder, ["* * restitution 1 well 0.3 1.5"], 0.37, 200, skin=5.0,
                                   boundary="f p p", style="record events.txt",
-                                  more=["fix sides all wall/hard/square_well restitution 1 "
+                                  more=["fix sides all wall/hard/squarewell restitution 1 "
                                         "xplane 0 4"])
             events = hard.recorded(folder)
         planes = [Plane(0, 0.0, 1, 1.0, 0.0, 0.6, 1.5), Plane(0, 4.0, -1, 1.0, 0.0, 0.6, 1.5)]
@@ -292,7 +292,7 @@ class TiltedBox(unittest.TestCase):
             path, _, _ = hard.run(
                 folder, ["* * restitution 1"], self.DT, self.STEPS, skin=0.05, every=1,
                 boundary=" ".join("f" if k == axis else "p" for k in range(3)),
-                more=[f"fix side all wall/hard/square_well restitution 1 well off {'xyz'[axis]}plane {where}"])
+                more=[f"fix side all wall/hard/squarewell restitution 1 well off {'xyz'[axis]}plane {where}"])
         time = self.DT * numpy.arange(self.STEPS + 1)[:, None]
         distance = 0.125 + abs(0.75 - speeds * time)
         self.assertLess(distance.max(), self.EDGE - 0.125)

@@ -99,7 +99,7 @@ class Stress(FolderTestCase):
 
     def test_walls_are_left_out(self):
         self.many(2, 0.4, 1, boundary="p f p",
-                  more=["fix sides all wall/hard/square_well restitution 1 yplane 0 {:.17g}"])
+                  more=["fix sides all wall/hard/squarewell restitution 1 yplane 0 {:.17g}"])
 
 
 class Input(unittest.TestCase):

@@ -23,9 +23,9 @@ MOVE, HOLD = "fix move all nve/sphere\n", "fix hold held setforce 0 0 0\n"
 CONTACT = "stiffness 800 restitution %(e)s friction %(mu)s"
 STYLES = {
     "gran/hamaker": (CONTACT + " hamaker 1e-18 cutoff 4e-10 1e-7", ""),
-    "gran/square_well": (CONTACT + " well 1e-12 1.01", ""),
+    "gran/squarewell": (CONTACT + " well 1e-12 1.01", ""),
     "gran/hamaker scheme sampled": (CONTACT + " hamaker 0 cutoff 4e-10 1e-7", ""),
-    "hard/square_well": ("restitution %(e)s friction %(mu)s well 1e-12 1.01", ""),
+    "hard/squarewell": ("restitution %(e)s friction %(mu)s well 1e-12 1.01", ""),
 }
 FREEZE = MOVE + "fix hold held freeze\n"
 WHOLLY = {
@@ -73,7 +73,7 @@ class Held(ScriptTestCase):
                     numpy.testing.assert_allclose(end[0][3:6], 0.0, atol=1e-12)
 
     def test_ranks_and_restart(self):
-        for style in ("gran/hamaker", "hard/square_well"):
+        for style in ("gran/hamaker", "hard/squarewell"):
             whole = self.ends(script(style, WHOLLY["setforce"]))
             two = self.ends(script(style, WHOLLY["setforce"]), ranks=2)
             numpy.testing.assert_allclose(two[1], whole[1], rtol=1e-9, atol=1e-12)
@@ -87,13 +87,13 @@ class Held(ScriptTestCase):
     def test_a_group_that_changes(self):
         """One that is let go is struck as a free one: the momentum is that of both."""
         release = HOLD + MOVE + "run 100\nunfix hold\nrun 2900\n"
-        for style in ("gran/hamaker", "hard/square_well"):
+        for style in ("gran/hamaker", "hard/squarewell"):
             end = self.ends(script(style, "", release, y="0.005", mu=0))
             self.assertAlmostEqual((end[0][3] + end[1][3]) / -SPEED, 1.0, delta=1e-9)
 
     def test_one_that_forces_lead(self):
         """A force that a fix sets leads a sphere, whatever strikes it: it goes on at constant acceleration."""
-        for style in ("gran/hamaker", "hard/square_well"):
+        for style in ("gran/hamaker", "hard/squarewell"):
             end = self.ends(script(style, MOVE + "fix lead held setforce 0 1e-6 0\n"))
             mass, time = 2650 * numpy.pi / 6 * 1e-9, 3000e-6
             self.assertAlmostEqual(end[0][1] - 0.005, 1e-6 / mass * time**2 / 2, delta=1e-9)

@@ -126,8 +126,8 @@ class Sampled(unittest.TestCase):
         speed, division = 0.1, 400
         pair = HertzPair(MODULUS, 0.8, DIAMETER, plane=True)
         dt, energy = pair.contact_time(speed) / division, 0.5 * pair.mu * speed**2
-        for law, words in (("hamaker", "hamaker 1e-19 cutoff 4e-10 1e-7"), ("square_well", f"well {0.1 * energy} 1.01"),
-                           ("liquid_bridge", f"bridge {0.1 * energy / 1e-5} 1e-5")):
+        for law, words in (("hamaker", "hamaker 1e-19 cutoff 4e-10 1e-7"), ("squarewell", f"well {0.1 * energy} 1.01"),
+                           ("liquidbridge", f"bridge {0.1 * energy / 1e-5} 1e-5")):
             exact, sampled = (self.bounce(law, f"{pair.words()} friction 0.3 {words}", scheme, speed, dt, 8 * division)
                               for scheme in ("exact", "sampled"))
             report(f"{law}: velocities after a bounce, exact {exact}, sampled {sampled}")

@@ -16,11 +16,11 @@ CONTACT = "stiffness 800 restitution 0.9"
 STYLES = {
     "gran/hamaker": f"{CONTACT} hamaker 5e-19 cutoff 4e-10 1e-7",
     "gran/hamaker scheme sampled": f"{CONTACT} hamaker 5e-19 cutoff 4e-10 1e-7",
-    "gran/square_well": f"{CONTACT} well 1e-12 1.1",
-    "gran/square_well scheme sampled": f"{CONTACT} well 1e-12 1.1",
+    "gran/squarewell": f"{CONTACT} well 1e-12 1.1",
+    "gran/squarewell scheme sampled": f"{CONTACT} well 1e-12 1.1",
     "hamaker cutoff 4e-10 1e-7": "hamaker 5e-19",
-    "square_well": "well 1e-12 1.1",
-    "hard/square_well": "restitution 0.9 well 1e-12 1.1",
+    "squarewell": "well 1e-12 1.1",
+    "hard/squarewell": "restitution 0.9 well 1e-12 1.1",
 }
 OTHER = "gran/hooke/history 800 NULL 0.001 NULL 0.3 0"
 
@@ -43,7 +43,7 @@ class Hybrid(ScriptTestCase):
         for style in STYLES:
             with self.subTest(style):
                 advised = self.advised(self.output(style, pairs))
-                self.assertEqual(advised, [] if style.split()[0] in ("square_well", "hard/square_well") else ["1 - 1"])
+                self.assertEqual(advised, [] if style.split()[0] in ("squarewell", "hard/squarewell") else ["1 - 1"])
 
     def test_types_of_one_style_are_mixed(self):
         pairs = [("1 1", True, ""), ("2 2", True, ""), ("1*2 3", False, "gran/hooke/history"),
@@ -59,9 +59,9 @@ class Hybrid(ScriptTestCase):
         ends = []
         for looks in ("", "compute tally all gran/energy\nthermo_style custom step c_tally[1]\n"):
             self.goes(f"""{box(types=2, size=(0.02, 0.02, 0.02))}{row}neighbor 1e-4 bin
-pair_style hybrid gran/hamaker gran/square_well scheme sampled
+pair_style hybrid gran/hamaker gran/squarewell scheme sampled
 pair_coeff 1 1 gran/hamaker {STYLES["gran/hamaker"]}
-pair_coeff * 2 gran/square_well {STYLES["gran/square_well scheme sampled"]}
+pair_coeff * 2 gran/squarewell {STYLES["gran/squarewell scheme sampled"]}
 set atom 1 vx 0.02
 fix down all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere

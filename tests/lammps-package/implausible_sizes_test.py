@@ -91,16 +91,16 @@ class Sizes(ScriptTestCase):
                      then="set atom 2 diameter 20e-6", ranks=(1, 2))
 
     def test_wells_are_ratios(self):
-        for style, contact in (("gran/square_well", CONTACT + " well 1e-12"), ("square_well", "1e-12"),
-                               ("hard/square_well", "restitution 0.9 well 1e-12")):
+        for style, contact in (("gran/squarewell", CONTACT + " well 1e-12"), ("squarewell", "1e-12"),
+                               ("hard/squarewell", "restitution 0.9 well 1e-12")):
             self.refuses("pair_coeff * * of " + style, "ratio r_out/r of the well = 3.5: must not be above 3",
                          pair=f"pair_style {style}\npair_coeff * * {contact} 3.5")
-        self.refuses("fix w wall/gran/square_well", "= 40: must not be above 3", boundary="p p f",
-                     pair=NONE + f"fix w all wall/gran/square_well {CONTACT} well 1e-12 40 zplane 0 NULL")
+        self.refuses("fix w wall/gran/squarewell", "= 40: must not be above 3", boundary="p p f",
+                     pair=NONE + f"fix w all wall/gran/squarewell {CONTACT} well 1e-12 40 zplane 0 NULL")
 
     def test_spheres_of_the_size_they_were_created_with(self):
         for pair, style in ((gran("4e-10", "1e-7"), "gran/hamaker"), (overlay("4e-10", "1e-7"), "hamaker"),
-                            ("pair_style hard/square_well\npair_coeff * * restitution 0.9", "hard/square_well")):
+                            ("pair_style hard/squarewell\npair_coeff * * restitution 0.9", "hard/squarewell")):
             self.refuses("pair_style " + style, "particle 3 has the diameter 1, others as little as 7.5e-05", UNITS,
                          "until 'set ... diameter'", pair=pair, ranks=(1, 2) if "hard" in style else (1,),
                          then="create_atoms 1 single 0.005 0.005 0.005 units box")
@@ -120,7 +120,7 @@ class Sizes(ScriptTestCase):
         wall = "\nfix w all wall/gran/hamaker " + CONTACT + " zplane 0 NULL"
         for pair, style in ((gran("4e-10", "1e-7"), "pair_style gran/hamaker"),
                             (overlay("4e-10", "1e-7"), "pair_style hamaker"),
-                            ("pair_style hard/square_well\npair_coeff * * restitution 0.9", "pair_style hard/square_well"),
+                            ("pair_style hard/squarewell\npair_coeff * * restitution 0.9", "pair_style hard/squarewell"),
                             ("pair_style none" + wall, "fix w wall/gran/hamaker"),
                             ("pair_style none\nfix w all wall/hamaker hamaker 5e-19 cutoff 4e-10 1e-7 zplane 0 NULL",
                              "fix w wall/hamaker")):
@@ -133,7 +133,7 @@ class Sizes(ScriptTestCase):
 
     def test_density_before_the_diameter_in_other_units(self):
         """In micrometres a sphere of diameter 1 is the smaller one: the density falls by 75^3."""
-        text = script("pair_style hard/square_well\npair_coeff * * restitution 0.9").replace("units si", "units micro")
+        text = script("pair_style hard/squarewell\npair_coeff * * restitution 0.9").replace("units si", "units micro")
         text = text.replace("0 0.01", "0 1000").replace("0.002 0.005 0.005", "200 500 500").replace(
             "0.008 0.005 0.005", "800 500 500").replace("1e-3 bin", "10 bin")
         self.stops(text.replace("diameter 75e-6 density 2650", "density 1.5\nset group all diameter 75"),
@@ -160,12 +160,12 @@ class Sizes(ScriptTestCase):
         for pair, style in ((gran("4e-10", "1e-7"), "gran/hamaker"),
                             (gran("4e-10", "1e-7", "scheme sampled"), "gran/hamaker"),
                             (overlay("4e-10", "1e-7"), "hamaker"),
-                            ("pair_style hard/square_well\npair_coeff * * restitution 0.9 well 1e-12 1.1",
-                             "hard/square_well")):
+                            ("pair_style hard/squarewell\npair_coeff * * restitution 0.9 well 1e-12 1.1",
+                             "hard/squarewell")):
             self.refuses(f"pair_style {style}: particles", "are in one place, (0.002, 0.005, "
                          "0.005)", "'delete_atoms overlap'", pair=pair, then=again, ranks=(1, 2))
         # Nothing happens between two that are excluded, or that nothing moves.
-        for pair in (gran("4e-10", "1e-7"), "pair_style hard/square_well\npair_coeff * * restitution 0.9"):
+        for pair in (gran("4e-10", "1e-7"), "pair_style hard/squarewell\npair_coeff * * restitution 0.9"):
             self.goes(script(pair + "\nneigh_modify exclude type 1 1", then=again))
             self.goes(script(pair, then=again).replace("fix move all nve/sphere", ""))
 

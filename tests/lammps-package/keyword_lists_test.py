@@ -14,21 +14,21 @@ HEAD = box()
 # Commands up to their keywords, by the page that they are on.
 COMMANDS = {
     "pair_gran_hamaker": ("pair_style gran/hamaker ", "pair_style gran/hamaker\npair_coeff 1 1 "),
-    "pair_gran_square_well": ("pair_style gran/square_well ", "pair_style gran/square_well\npair_coeff 1 1 "),
-    "pair_hard_square_well": ("pair_style hard/square_well ", "pair_style hard/square_well\npair_coeff 1 1 "),
-    "pair_gran_liquid_bridge": ("pair_style gran/liquid_bridge ", "pair_style gran/liquid_bridge\npair_coeff 1 1 "),
+    "pair_gran_squarewell": ("pair_style gran/squarewell ", "pair_style gran/squarewell\npair_coeff 1 1 "),
+    "pair_hard_squarewell": ("pair_style hard/squarewell ", "pair_style hard/squarewell\npair_coeff 1 1 "),
+    "pair_gran_liquidbridge": ("pair_style gran/liquidbridge ", "pair_style gran/liquidbridge\npair_coeff 1 1 "),
     "pair_gran_jkr": ("pair_style gran/jkr ", "pair_style gran/jkr\npair_coeff 1 1 "),
     "pair_hamaker": ("pair_style hamaker ", "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff 1 1 "),
-    "pair_square_well": ("pair_style square_well\npair_coeff 1 1 ",),
+    "pair_squarewell": ("pair_style squarewell\npair_coeff 1 1 ",),
     "fix_wall_gran_hamaker": ("fix w all wall/gran/hamaker ",),
-    "fix_wall_gran_square_well": ("fix w all wall/gran/square_well ",),
-    "fix_wall_gran_liquid_bridge": ("fix w all wall/gran/liquid_bridge ",),
+    "fix_wall_gran_squarewell": ("fix w all wall/gran/squarewell ",),
+    "fix_wall_gran_liquidbridge": ("fix w all wall/gran/liquidbridge ",),
     "fix_wall_gran_jkr": ("fix w all wall/gran/jkr ",),
     "fix_wall_hamaker": ("fix w all wall/hamaker ",),
-    "fix_wall_hard_square_well": ("fix w all wall/hard/square_well ",),
+    "fix_wall_hard_squarewell": ("fix w all wall/hard/squarewell ",),
 }
 # Whose messages are written beside what reads, not made of it; one of the walls shares its list with the others.
-WRITTEN_BY_HAND = ("pair_hard_square_well", "fix_wall_hamaker", "fix_wall_hard_square_well")
+WRITTEN_BY_HAND = ("pair_hard_squarewell", "fix_wall_hamaker", "fix_wall_hard_squarewell")
 UNKNOWN = "no_such_keyword"
 
 
@@ -79,7 +79,7 @@ class KeywordLists(ScriptTestCase):
                 self.assertEqual(described(page) - listed, set())
 
     def test_a_wall_takes_what_its_pair_style_takes(self):
-        for style in ("gran_hamaker", "gran_square_well", "gran_liquid_bridge", "gran_jkr"):
+        for style in ("gran_hamaker", "gran_squarewell", "gran_liquidbridge", "gran_jkr"):
             with self.subTest(style):
                 self.assertEqual(self.listed(f"pair_{style}") - self.listed(f"fix_wall_{style}"), set())
 

@@ -8,7 +8,7 @@ from cohesion_tests.test_cases import ScriptTestCase
 HEAD = box() + spheres((1, 0.002, 0.005, 0.005))
 CONTACT = "stiffness 200 restitution 0.9"
 SOFT = "pair_style gran/hamaker\npair_coeff * * " + CONTACT + "\n"
-HARD = "pair_style hard/square_well\npair_coeff * * restitution 0.9\n"
+HARD = "pair_style hard/squarewell\npair_coeff * * restitution 0.9\n"
 
 
 class Twice(ScriptTestCase):
@@ -18,7 +18,7 @@ class Twice(ScriptTestCase):
                        f"with {first} and with {second}")
 
     def test_pair_coeff(self):
-        for style in ("gran/hamaker", "gran/square_well"):
+        for style in ("gran/hamaker", "gran/squarewell"):
             self.refuses(f"pair_style {style}\npair_coeff * * {CONTACT} stiffness 300",
                          f"pair_coeff * * of {style}", "stiffness", 200, 300)
         # The same value twice too: which of them a later change meets is left to chance.
@@ -26,12 +26,12 @@ class Twice(ScriptTestCase):
         self.refuses("pair_style gran/hamaker\npair_coeff * * " + CONTACT +
                      " hamaker 1e-19 cutoff 4e-10 1e-7 cutoff 4e-10 2e-7", "gran/hamaker", "cutoff",
                      "4e-10 1e-7", "4e-10 2e-7")
-        self.refuses(HARD.rstrip() + " restitution 0.8", "hard/square_well", "restitution", 0.9, 0.8)
+        self.refuses(HARD.rstrip() + " restitution 0.8", "hard/squarewell", "restitution", 0.9, 0.8)
 
     def test_pair_style(self):
         self.refuses("pair_style gran/hamaker scheme exact scheme sampled", "pair_style gran/hamaker",
                      "scheme", "exact", "sampled")
-        self.refuses("pair_style hard/square_well limit 10 limit 20", "pair_style hard/square_well",
+        self.refuses("pair_style hard/squarewell limit 10 limit 20", "pair_style hard/squarewell",
                      "limit", 10, 20)
 
     def test_walls(self):
@@ -41,8 +41,8 @@ class Twice(ScriptTestCase):
                      "exact", "small_gap")
         self.refuses(SOFT + "fix w all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 zplane 0 NULL form exact form small_gap",
                      "fix w wall/hamaker", "form", "exact", "small_gap")
-        self.refuses(HARD + "fix w all wall/hard/square_well restitution 0.9 well off well off zplane 0 NULL",
-                     "fix w wall/hard/square_well", "well", "off", "off")
+        self.refuses(HARD + "fix w all wall/hard/squarewell restitution 0.9 well off well off zplane 0 NULL",
+                     "fix w wall/hard/squarewell", "well", "off", "off")
 
     def test_other_fixes(self):
         self.refuses(SOFT + "fix s all agglomerates 1 sizes 5 sizes 6", "fix s agglomerates", "sizes", 5, 6)

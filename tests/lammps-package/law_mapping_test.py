@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cohesion-mapping calls equal, in LAMMPS: head-on escape velocities of gran/hamaker and
-gran/square_well under the lines that it prints."""
+gran/squarewell under the lines that it prints."""
 import math
 import sys
 import unittest
@@ -81,7 +81,7 @@ class ByDivision(unittest.TestCase):
             (hamaker, hamaker_pair, well, well_pair), = program.script_lines(*words)
             well_speed = math.sqrt(2 * row["depth"] / material.mu)
             laws = {"gran/hamaker": ((hamaker, hamaker_pair), 1.01 * material.out, material.cut),
-                    "gran/square_well": ((well, well_pair), material.width + 1e-8, material.width)}
+                    "gran/squarewell": ((well, well_pair), material.width + 1e-8, material.width)}
             for law, (lines, start, edge) in laws.items():
                 low, high = self.escape_velocity(material, lines, start, edge, well_speed)
                 print(f"{name}, {law}: {low:.8g} to {high:.8g} m/s, cohesion-mapping "

@@ -14,10 +14,10 @@ CONTACT_TIME = math.pi * math.sqrt(MASS / K)
 DT, STEPS = CONTACT_TIME / 16, 400
 GAP = 150.5 * DT * V  # reached at V after 150 steps and a half
 SOFT = {f"wall/gran/{law}": f"pair_style gran/{law}\npair_coeff * * stiffness {K} restitution 1\n"
-        for law in ("hamaker", "square_well", "liquid_bridge")}
+        for law in ("hamaker", "squarewell", "liquidbridge")}
 STYLES = {**{f"{wall} stiffness {K} restitution 1": (pair, CONTACT_TIME) for wall, pair in SOFT.items()},
-          "wall/hard/square_well restitution 1 well off":
-              ("pair_style hard/square_well\npair_coeff * * restitution 1\n", 0.0)}
+          "wall/hard/squarewell restitution 1 well off":
+              ("pair_style hard/squarewell\npair_coeff * * restitution 1\n", 0.0)}
 SOFT_AND_HARD = [style for style in STYLES if "hamaker" in style or "hard" in style]
 READ = "plugin load ${plugin}\nnewton off\nread_restart half.rest\ncomm_modify vel yes\nneighbor 1e-4 bin\n"
 PLACES = ("variable x equal xcm(all,x)\nvariable vx equal vcm(all,x)\nthermo_style custom step v_x v_vx\n"

@@ -12,13 +12,13 @@ from cohesion_tests.thermo import thermo_end
 R, DENSITY, SPEED, DT = 5e-4, 2650.0, 1.0, 1e-5
 MASS = DENSITY * 4 / 3 * math.pi * R**3
 CONTACT = "stiffness 800 restitution 1"
-LAWS = {"hamaker": "hamaker 5e-19 cutoff 4e-10 1e-7", "square_well": "well 1e-10 1.05",
-        "liquid_bridge": "bridge 2e-4 5e-5"}
+LAWS = {"hamaker": "hamaker 5e-19 cutoff 4e-10 1e-7", "squarewell": "well 1e-10 1.05",
+        "liquidbridge": "bridge 2e-4 5e-5"}
 HAMAKER = "hamaker 5e-19 cutoff 4e-10 1e-7"
-HARD = "pair_style hard/square_well\npair_coeff * * restitution 1 well 1e-10 1.05\n"
+HARD = "pair_style hard/squarewell\npair_coeff * * restitution 1 well 1e-10 1.05\n"
 SOFT = [f"wall/gran/{law} {CONTACT} {words} scheme {scheme}" for law, words in LAWS.items()
         for scheme in ("exact", "sampled")]
-HARD_WALL = "wall/hard/square_well restitution 1"
+HARD_WALL = "wall/hard/squarewell restitution 1"
 OVERLAY = f"wall/hamaker {HAMAKER}"
 BEHIND, THROUGH = "with their centres behind a wall", "that a wall cuts through"
 

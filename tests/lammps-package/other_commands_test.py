@@ -17,9 +17,9 @@ CONTACT = "stiffness 800 restitution 0.9 "
 STYLES = {
     "gran/hamaker": CONTACT + "hamaker 1e-18 cutoff 4e-10 1e-7",
     "gran/hamaker scheme sampled": CONTACT + "hamaker 1e-18 cutoff 4e-10 1e-7",
-    "gran/square_well": CONTACT + "well 1e-11 1.01",
-    "gran/liquid_bridge scheme sampled": CONTACT + "bridge 1e-5 1e-5",
-    "hard/square_well": "restitution 0.9 well 1e-11 1.01",
+    "gran/squarewell": CONTACT + "well 1e-11 1.01",
+    "gran/liquidbridge scheme sampled": CONTACT + "bridge 1e-5 1e-5",
+    "hard/squarewell": "restitution 0.9 well 1e-11 1.01",
 }
 FRAMES = "dump all all custom 20 all.dump id type x y z vx vy vz\n"
 

@@ -68,7 +68,7 @@ class Rules(unittest.TestCase):
         self.assertIn("stifness", fault("page.md:1 part 1", page_scripts.framed("pair_coeff * * stifness 800", self.whole())))
 
     def test_parts_replace_lines_of_their_kind(self):
-        script = page_scripts.framed("pair_style gran/square_well\npair_coeff 2 2 stiffness 1\nrun 1000", self.whole())
+        script = page_scripts.framed("pair_style gran/squarewell\npair_coeff 2 2 stiffness 1\nrun 1000", self.whole())
         self.assertTrue(is_complete(script))
         self.assertEqual(script.count("pair_style"), 1)
         self.assertNotIn("hamaker", script)

@@ -31,7 +31,7 @@ comm_modify vel yes
 read_data data.spheres
 neighbor 1.5 bin
 neigh_modify delay 0 every 1 check yes
-pair_style hard/square_well record events.txt
+pair_style hard/squarewell record events.txt
 pair_coeff * * restitution %g well %g %g
 fix shear all deform/shear rate 1 profile yes
 fix move all nve/sphere disc

@@ -92,9 +92,9 @@ neighbor 4e-5 bin
 create_atoms 1 single 0.5e-3 0.5e-3 {2e-3 - grain.diameter / 2 - (1 - 1e-6) * width:.17g}
 set group all diameter 75e-6
 set group all density 1500
-pair_style gran/square_well
+pair_style gran/squarewell
 pair_coeff * * {words}
-fix ceiling all wall/gran/square_well {words} zplane NULL 2e-3
+fix ceiling all wall/gran/squarewell {words} zplane NULL 2e-3
 timestep {grain.contact_time / division!r}
 variable load equal -{load}
 fix pull all addforce 0 0 v_load

@@ -51,8 +51,8 @@ WAYS = {"renumbered": RENUMBER, "deleted": DELETE + "yes\n", "deleted, others in
         DELETE + "yes\ncreate_atoms 1 single 0.002 0.018 0.018\nset group all diameter 1e-3 density 2650\n",
         "deleted, IDs kept": DELETE + "no\n", "deleted, then renumbered": DELETE + "no\n" + RENUMBER}
 CONTACT = "stiffness 800 restitution 0.9 friction 5 "
-LAWS = {"gran/hamaker": "hamaker 1e-16 cutoff 4e-10 1e-7", "gran/square_well": "well 1e-9 1.1",
-        "gran/liquid_bridge": "bridge 1e-4 1e-5"}
+LAWS = {"gran/hamaker": "hamaker 1e-16 cutoff 4e-10 1e-7", "gran/squarewell": "well 1e-9 1.1",
+        "gran/liquidbridge": "bridge 1e-4 1e-5"}
 
 
 class Renumbered(FolderTestCase):

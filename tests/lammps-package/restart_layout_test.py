@@ -24,10 +24,10 @@ neighbor 1e-4 bin
 STYLES = {
     "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 3),
     "gran/hamaker": ("", "stiffness 800", 9),
-    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 6),
-    "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 5),
+    "gran/squarewell": ("", "stiffness 800 well 1e-12 1.01", 6),
+    "gran/liquidbridge": ("", "stiffness 800 bridge 1e-5 1e-5", 5),
     "gran/jkr": ("", "normal hertz 5e6 0.25 surface_energy 0.01", 2),
-    "hard/square_well": ("", "restitution 0.9", 4),
+    "hard/squarewell": ("", "restitution 0.9", 4),
 }
 MARK = 0x436f6800  # restart_format.h
 
@@ -63,7 +63,7 @@ class Layout(ScriptTestCase):
     def test_another_layout_of_the_motion_of_walls_is_refused(self):
         file = Path(self.folder) / "some.restart"
         for style, pair, words, layout in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800", 3),
-                                           ("wall/hard/square_well", "hard/square_well", "restitution 0.9", 1)):
+                                           ("wall/hard/squarewell", "hard/squarewell", "restitution 0.9", 1)):
             run = f"fix w all {style} {words} xplane 0 NULL\nfix move all nve/sphere\ntimestep 1e-7\nrun 1\n"
             self.goes(f"{HEAD}boundary f p p\n{MAKE}pair_style {pair}\npair_coeff * * {words}\n{run}"
                       "write_restart some.restart noinit\n")

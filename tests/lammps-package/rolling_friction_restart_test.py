@@ -100,8 +100,8 @@ class Ended(Rolling):
                 "thermo 1\nthermo_style custom step c_tally[4]\n")
         end = ("run 7\nwrite_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz "
                "modify format float %.17g sort id\n")
-        styles = (("gran/hamaker", "", ""), ("hybrid/overlay gran/hamaker square_well", "gran/hamaker ",
-                                             "pair_coeff * * square_well well 1e-30 1.0001\n"))
+        styles = (("gran/hamaker", "", ""), ("hybrid/overlay gran/hamaker squarewell", "gran/hamaker ",
+                                             "pair_coeff * * squarewell well 1e-30 1.0001\n"))
         # In 17 steps some ten roundings of places of 1e-3 m, 2e-19 m each, which a contact makes pi/t_c times
         # as many m/s; a spring that is lost makes 1e-4 m/s.
         room = 17 * 10 * 2e-19

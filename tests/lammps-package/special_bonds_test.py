@@ -67,7 +67,7 @@ run 3000
 write_dump all custom end.txt id vx modify sort id format float %.17g
 """
 STYLES = {"gran/hamaker": "stiffness 3000 restitution 1", "gran/hamaker scheme sampled": "stiffness 3000 restitution 1",
-          "hard/square_well": "restitution 1"}
+          "hard/squarewell": "restitution 1"}
 COLLIDED, PASSED = [0, 1, -1, 0], [1, 0, 0, -1]
 
 
@@ -105,7 +105,7 @@ class SpecialBonds(ScriptTestCase):
     def test_on_ranks(self):
         for ranks in (2, 3):
             for special, expected in (("lj/coul 0 1 1", PASSED), ("lj/coul 1 1 1", COLLIDED)):
-                text = self.text("hard/square_well", special).replace("1e-6", "1e-4").replace("run 3000", "run 30")
+                text = self.text("hard/squarewell", special).replace("1e-6", "1e-4").replace("run 3000", "run 30")
                 self.goes(text, ranks=ranks)
                 self.assert_ends(engine.dump(self.folder, "end.txt")[:, 1], expected)
 

@@ -52,7 +52,7 @@ class Campaign(unittest.TestCase):
         self.assertLessEqual(warned, 9)
 
     def test_overlap_beyond_the_particle_is_refused_with_its_reason(self):
-        for name in ("gran/hamaker, exact", "gran/square_well, sampled", "fix wall/gran/hamaker, exact"):
+        for name in ("gran/hamaker, exact", "gran/squarewell, sampled", "fix wall/gran/hamaker, exact"):
             result = judge.judge(make(law(name), dict(speed=100.0)), engine)
             self.assertEqual(set(result.verdicts.values()), {"refused"})
             self.assertRegex(result.said, "impact overlap [0-9]+ %")
@@ -66,10 +66,10 @@ class Campaign(unittest.TestCase):
     def test_what_runs_say_is_told_in_short_and_of_whom(self):
         """In both the small spheres, of type 2, do not meet each other."""
         for name, values, said in (
-                ("gran/square_well, sampled", dict(e=0.5, steps=20.0),
+                ("gran/squarewell, sampled", dict(e=0.5, steps=20.0),
                  r"^escape open by 9\.\d+ %$"),
                 ("gran/hamaker, sampled", dict(A=0.0, speed=1e-9, K=1e6, steps=1000.0), r"^rounded places, 13\.\d %$"),
-                ("gran/square_well, sampled", dict(steps=17.0, ratio=10.0, e=1.0),
+                ("gran/squarewell, sampled", dict(steps=17.0, ratio=10.0, e=1.0),
                  r"^12 steps per contact \(2 - 2\)$")):
             with self.subTest(said):
                 point = make(law(name), values)
@@ -100,7 +100,7 @@ class Judge(unittest.TestCase):
     """What it makes of an end that is changed by hand."""
 
     def setUp(self):
-        self.point = make(law("gran/square_well, exact"), dict(angle=0.0, e=1.0))
+        self.point = make(law("gran/squarewell, exact"), dict(angle=0.0, e=1.0))
         state, _, end = judge.run(self.point, engine, "exact", 1)
         self.assertEqual(state, "ran")
         self.end = end
@@ -167,8 +167,8 @@ class Judge(unittest.TestCase):
         """w dt is 0.314 at 10 steps of a contact and 0.157 at 20. Rounding is below 1e-7 of the speed there: 2e-16 of
         places of 2 cm, times w = 3e4/s, in some 3000 fine steps, over 0.05 m/s."""
         for name, steps, mu, parted, held, room in (
-                ("gran/square_well, exact", 10.0, 0.0, (1e-6, 0.0986960), (0.1, 0.1), (0.314160, 0.412856)),
-                ("gran/square_well, exact", 20.0, 0.3, (0.0246740, 0.0246740), (0.1, 0.1), (0.181754, 0.181754)),
+                ("gran/squarewell, exact", 10.0, 0.0, (1e-6, 0.0986960), (0.1, 0.1), (0.314160, 0.412856)),
+                ("gran/squarewell, exact", 20.0, 0.3, (0.0246740, 0.0246740), (0.1, 0.1), (0.181754, 0.181754)),
                 ("gran/hamaker, exact", 20.0, 0.0, (1e-6, 0.0246740), (0.003085, 0.027758), (0.003085, 0.027758)),
                 ("gran/hamaker, exact", 2.0, 0.0, (1e-6, 0.1), (0.1, 0.1), (0.308426, 0.408425))):
             point = make(law(name), dict(angle=0.0, e=1.0, steps=steps, mu=mu))
@@ -183,7 +183,7 @@ class Judge(unittest.TestCase):
 
     def test_turning_load_is_the_error_of_oblique_impacts(self):
         """Of damped ones: their error is of the size of this bound, and far above 1e-6 and the square of the angle."""
-        point = make(law("gran/square_well, exact"), dict(angle=60.0, e=0.5, steps=8.0, depth=0.0, width=0.0, speed=5.0,
+        point = make(law("gran/squarewell, exact"), dict(angle=60.0, e=0.5, steps=8.0, depth=0.0, width=0.0, speed=5.0,
                                                           K=1e6))
         result = judge.judge(point, engine)
         self.assertEqual(result.verdicts["first"], "right", result)

@@ -68,8 +68,8 @@ def of_hamaker(overlap, radius):
 
 
 HAMAKER = Law("gran/hamaker", f"hamaker {A} cutoff {NEAR} {FAR}", of_hamaker)
-WELL = Law("gran/square_well", f"well {DEPTH} {RATIO}", lambda overlap, radius: -DEPTH)
-BRIDGES = Law("gran/liquid_bridge", f"bridge {BRIDGE} {RUPTURE}", lambda overlap, radius: -BRIDGE * overlap)
+WELL = Law("gran/squarewell", f"well {DEPTH} {RATIO}", lambda overlap, radius: -DEPTH)
+BRIDGES = Law("gran/liquidbridge", f"bridge {BRIDGE} {RUPTURE}", lambda overlap, radius: -BRIDGE * overlap)
 
 
 def ways_of_all(law):
@@ -169,10 +169,10 @@ class Standing(ScriptTestCase):
 class Poured(ScriptTestCase):
     def test_into_wells(self):
         # Spheres appear within each other's wells. Each pair nearer than the edge is bound, and stays so.
-        for style, coefficients in (("gran/square_well", "* * stiffness 800 restitution 1 well 1e-10 1.5"),
-                                    ("gran/square_well scheme sampled", "* * stiffness 800 restitution 1 well 1e-10 1.5"),
-                                    ("hybrid/overlay gran/hooke/history 800 NULL 0 NULL 0 0 square_well",
-                                     "* * gran/hooke/history\npair_coeff * * square_well 1e-10 1.5")):
+        for style, coefficients in (("gran/squarewell", "* * stiffness 800 restitution 1 well 1e-10 1.5"),
+                                    ("gran/squarewell scheme sampled", "* * stiffness 800 restitution 1 well 1e-10 1.5"),
+                                    ("hybrid/overlay gran/hooke/history 800 NULL 0 NULL 0 0 squarewell",
+                                     "* * gran/hooke/history\npair_coeff * * squarewell 1e-10 1.5")):
             with self.subTest(style):
                 output = self.goes(f"{HEAD}boundary p p f\nregion b block 0 0.006 0 0.006 0 0.02\ncreate_box 1 b\n"
                                    f"create_atoms 1 single 0.003 0.003 0.019\n{SIZE}{REST}pair_style {style}\n"

@@ -21,7 +21,7 @@ create_box 1 box
 create_atoms 1 single 2 3 4
 create_atoms 1 single 6 3 4
 set group all diameter 1.0 density 1.0
-pair_style hard/square_well
+pair_style hard/squarewell
 pair_coeff * * restitution 1
 comm_modify vel yes
 velocity all create 1 1

@@ -15,7 +15,7 @@ neigh_modify delay 0
 timestep %s
 """
 GRAN = "pair_style gran/hamaker\npair_coeff * * stiffness 8000 restitution 0.9\n"
-HARD = "pair_style hard/square_well\npair_coeff * * restitution 0.9\n"
+HARD = "pair_style hard/squarewell\npair_coeff * * restitution 0.9\n"
 TAIL = "fix move all nve/sphere\nrun 50\n"
 APART = "place them apart from each other"
 
@@ -99,7 +99,7 @@ class TooFast(ScriptTestCase):
 
     def test_at_a_wall(self):
         wall = "fix w all wall/gran/hamaker stiffness 8000 restitution 0.9 zplane 0 NULL\n"
-        quiet = "pair_style square_well\npair_coeff * * well 0 1\n"
+        quiet = "pair_style squarewell\npair_coeff * * well 0 1\n"
         self.stops(HEAD % (0.005, "set atom 2 vz -36", 1e-4, 1.5e-5) + quiet + wall + TAIL, "fix w wall/gran/hamaker",
                      "could miss the wall", "particle 2 at (0.007", "has the speed 36", ranks=1)
 

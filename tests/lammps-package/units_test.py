@@ -61,14 +61,14 @@ write_dump all custom end.txt id x vx modify format float %.17g sort id
     def pairs(self):
         yield "gran/hamaker", "", self.contact() + self.hamaker()
         yield "gran/hamaker", " scheme sampled", self.contact() + self.hamaker()
-        yield "gran/square_well", "", self.contact() + f"well {self.energy(1e-12)} 1.01"
+        yield "gran/squarewell", "", self.contact() + f"well {self.energy(1e-12)} 1.01"
         force, gap = self.number(1e-7, 1, 1, -2), self.number(1e-6, 1)
-        yield "gran/liquid_bridge", "", self.contact() + f"bridge {force} {gap}"
+        yield "gran/liquidbridge", "", self.contact() + f"bridge {force} {gap}"
         tension, volume = self.number(1e-4, 0, 1, -2), self.number(1e-18, 3)
-        yield "gran/liquid_bridge", " scheme exact", self.contact() + f"capillary {tension} 0.3 {volume}"
-        yield "square_well", "", f"{self.energy(1e-12)} 1.01"
+        yield "gran/liquidbridge", " scheme exact", self.contact() + f"capillary {tension} 0.3 {volume}"
+        yield "squarewell", "", f"{self.energy(1e-12)} 1.01"
         yield "hamaker", "", self.hamaker()
-        yield "hard/square_well", "", f"restitution 0.8 well {self.energy(1e-12)} 1.01"
+        yield "hard/squarewell", "", f"restitution 0.8 well {self.energy(1e-12)} 1.01"
 
 
 class Units(ScriptTestCase):

@@ -11,7 +11,7 @@ from cohesion_tests.test_cases import ScriptTestCase
 HEAD = (box(types=2, boundary="p p f") + spheres((1, 0.002, 0.002, 0.005), (2, 0.005, 0.002, 0.005)) +
         "neighbor 1e-4 bin\ntimestep 1e-6\n")
 CONTACT = "stiffness 800 restitution 0.9 "
-LAWS = ("hamaker", "square_well", "liquid_bridge")
+LAWS = ("hamaker", "squarewell", "liquidbridge")
 SAID = "give both the same scheme (exact where the keyword is missing)"
 
 
@@ -20,8 +20,8 @@ def wall(law, scheme, name="w"):
 
 
 # A contact with adhesion; and what declares a wall without one.
-ADHESIVE = {"hamaker": "hamaker 1e-19 cutoff 4e-10 1e-7", "square_well": "well 1e-14 1.01", "liquid_bridge": "bridge 1e-5 1e-5"}
-WITHOUT = {"hamaker": "hamaker 0", "square_well": "well 0 1", "liquid_bridge": "bridge 0 0"}
+ADHESIVE = {"hamaker": "hamaker 1e-19 cutoff 4e-10 1e-7", "squarewell": "well 1e-14 1.01", "liquidbridge": "bridge 1e-5 1e-5"}
+WITHOUT = {"hamaker": "hamaker 0", "squarewell": "well 0 1", "liquidbridge": "bridge 0 0"}
 
 
 class MixedSchemes(ScriptTestCase):
@@ -46,7 +46,7 @@ class MixedSchemes(ScriptTestCase):
     def test_keyword_that_is_missing(self):
         self.assertIn("has 'scheme exact', and", self.printed(self.pairs("hamaker", "scheme sampled"), wall("hamaker", "")))
         self.assertIn("has 'scheme sampled', and", self.printed(self.pairs("hamaker", ""),
-                                                                wall("square_well", "scheme sampled")))
+                                                                wall("squarewell", "scheme sampled")))
 
     def test_the_wall_that_differs_is_named(self):
         output = self.printed(self.pairs("hamaker", ""), wall("hamaker", "", "same") +
@@ -58,10 +58,10 @@ class MixedSchemes(ScriptTestCase):
             for scheme in ("", "scheme exact", "scheme sampled"):
                 with self.subTest(law, scheme=scheme):
                     self.assertNotIn(SAID, self.printed(self.pairs(law, scheme), wall(law, scheme)))
-        hybrid = (f"pair_style hybrid gran/hamaker gran/square_well scheme sampled\npair_coeff 1 1 gran/hamaker {CONTACT}\n"
-                  f"pair_coeff 2 2 gran/square_well {CONTACT}\npair_coeff 1 2 gran/hamaker {CONTACT}\n")
-        self.assertNotIn(SAID, self.printed(hybrid, wall("hamaker", "") + wall("square_well", "scheme sampled", "v")))
-        attraction = "pair_style square_well\npair_coeff * * well 1e-12 1.1\n"
+        hybrid = (f"pair_style hybrid gran/hamaker gran/squarewell scheme sampled\npair_coeff 1 1 gran/hamaker {CONTACT}\n"
+                  f"pair_coeff 2 2 gran/squarewell {CONTACT}\npair_coeff 1 2 gran/hamaker {CONTACT}\n")
+        self.assertNotIn(SAID, self.printed(hybrid, wall("hamaker", "") + wall("squarewell", "scheme sampled", "v")))
+        attraction = "pair_style squarewell\npair_coeff * * well 1e-12 1.1\n"
         self.assertNotIn(SAID, self.printed(attraction, wall("hamaker", "scheme sampled")))
         self.assertNotIn(SAID, self.printed("pair_style zero 3e-3\npair_coeff * *\n", wall("hamaker", "scheme sampled")))
 

@@ -8,8 +8,8 @@ from cohesion_tests.test_cases import ScriptTestCase
 BOX = box(boundary="p p f")
 SPHERES = spheres((1, 0.002, 0.002, 0.005), (1, 0.005, 0.002, 0.005))
 CONTACT = "stiffness 800 restitution 0.9 "
-STYLES = ("gran/hamaker", "gran/hamaker scheme sampled", "gran/square_well", "gran/square_well scheme sampled",
-          "gran/liquid_bridge", "gran/liquid_bridge scheme sampled")
+STYLES = ("gran/hamaker", "gran/hamaker scheme sampled", "gran/squarewell", "gran/squarewell scheme sampled",
+          "gran/liquidbridge", "gran/liquidbridge scheme sampled")
 SAID = "no fix integrates the motion of any particle"
 SETTINGS = "neighbor 1e-4 bin\ntimestep 1e-6\n"
 POUR = ("region top block 0.001 0.009 0.001 0.009 0.005 0.009 units box\nfix fall all gravity 9.81 vector 0 0 -1\n"

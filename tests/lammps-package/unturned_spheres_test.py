@@ -38,13 +38,13 @@ class Unturned(ScriptTestCase):
     def test_warned(self):
         for ranks in (1, 2):
             self.warns(pairs("friction 0.3") + "fix move all nve", 3, "move nve", ranks)
-        self.warns(pairs("rolling_friction 0.1", "gran/square_well scheme sampled") + "fix move all nve/limit 1", 3,
+        self.warns(pairs("rolling_friction 0.1", "gran/squarewell scheme sampled") + "fix move all nve/limit 1", 3,
                    "move nve/limit")
         self.warns(pairs("friction 0.3") + "fix a first nve/sphere\nfix b second nve", 1, "b nve")
         self.warns(pairs("") + f"fix w all wall/gran/hamaker {CONTACT} friction 0.3 zplane 0 NULL\n"
                    "fix move all nve", 3, "move nve")
         self.warns(pairs("") + RUBBING_SECOND + "fix a first nve\nfix b second nve", 1, "b nve", ranks=2)
-        self.warns(pairs("friction 0.3", "gran/liquid_bridge") + "fix move all nve", 3, "move nve")
+        self.warns(pairs("friction 0.3", "gran/liquidbridge") + "fix move all nve", 3, "move nve")
 
     def test_right_ones(self):
         for friction, move in (("", "fix move all nve"), ("friction 0.3", "fix move all nve/sphere"),

@@ -37,7 +37,7 @@ comm_modify vel yes
 read_data data.spheres
 neighbor 2e-4 bin
 neigh_modify delay 0 every 1 check yes
-pair_style gran/square_well scheme sampled
+pair_style gran/squarewell scheme sampled
 pair_coeff * * stiffness {stiffness} damping {damping} well {depth} {ratio}
 fix move all nve/sphere
 timestep {dt}

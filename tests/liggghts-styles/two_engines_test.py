@@ -42,15 +42,15 @@ SCENES = {
         f"hamaker {CUT!r} {OUT!r}\npair_coeff * * gran/hooke\npair_coeff * * hamaker hamaker {A!r}",
         hamaker(A)),
     "square_well": (
-        "pair_style gran/square_well scheme sampled\npair_coeff * * "
+        "pair_style gran/squarewell scheme sampled\npair_coeff * * "
         f"stiffness {STIFFNESS} damping {DAMPING!r} well {DEPTH!r} {RATIO!r}",
         square_well(DEPTH)),
     "liquid_bridge": (
-        "pair_style gran/liquid_bridge scheme sampled\npair_coeff * * "
+        "pair_style gran/liquidbridge scheme sampled\npair_coeff * * "
         f"stiffness {STIFFNESS} damping {DAMPING!r} bridge {FORCE!r} {GAP!r}",
         liquid_bridge(FORCE, GAP)),
     "liquid_bridge capillary on": (
-        "pair_style gran/liquid_bridge scheme sampled\npair_coeff * * "
+        "pair_style gran/liquidbridge scheme sampled\npair_coeff * * "
         f"stiffness {STIFFNESS} damping {DAMPING!r} capillary {TENSION!r} 0.6 {VOLUME!r}",
         capillary(TENSION, 0.6, VOLUME))}
 

@@ -196,7 +196,7 @@ class SquareWell(unittest.TestCase):
         two = ("--diameter", 2e-4, 4e-4, *GLASS[2:], *self.WELL, "--well-ratio", 1.02)
         found = program.values(*two)
         _, lammps, _ = program.call(*two)
-        self.assertIn("pair_style gran/square_well scheme exact", lammps)
+        self.assertIn("pair_style gran/squarewell scheme exact", lammps)
         self.assertNotIn("material_stiffness", lammps)
         depths = {line.split("stiffness")[0].strip(): float(line.split(" well ")[1].split()[0])
                   for line in lammps.split("\n") if " friction 0.3 well " in line}
@@ -488,7 +488,7 @@ class WrittenCase(unittest.TestCase):
             self.assertEqual(code, 0, error)
             walls = (case / "constant/walls").read_text().split("\n")
             fixes = [line.split()[:4] for line in walls if line.startswith("fix")]
-            self.assertEqual(fixes, [["fix", f"{name}_size_{k}", f"size_{k}", "wall/gran/square_well"]
+            self.assertEqual(fixes, [["fix", f"{name}_size_{k}", f"size_{k}", "wall/gran/squarewell"]
                                      for k in (1, 2) for name in ("side_x", "side_y", "plate")])
             self.assertEqual(sum(line.startswith("group size_") for line in walls), 2)
             # No grain begins in the well of another.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs of pair_style hard/square_well that end, are refused, or are compared with the reference: what the tests of
+"""Runs of pair_style hard/squarewell that end, are refused, or are compared with the reference: what the tests of
 its extremes share."""
 import numpy
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs hard particles with square wells through LAMMPS (in.hard_square_well), and reads events back:
-what the tests of pair_style hard/square_well share."""
+what the tests of pair_style hard/squarewell share."""
 import math
 from collections import namedtuple
 from pathlib import Path
@@ -32,7 +32,7 @@ def counts(table):
 
 def script(folder, pair, style="", dimension=3, more=(), group="all", before=()):
     disc = " disc" if dimension == 2 else ""
-    lines = [*before, f"pair_style hard/square_well {style}", *(f"pair_coeff {line}" for line in pair),
+    lines = [*before, f"pair_style hard/squarewell {style}", *(f"pair_coeff {line}" for line in pair),
              f"fix move {group} nve/sphere{disc}", *more]
     if dimension == 2:
         lines.append("fix flat all enforce2d")

@@ -51,7 +51,7 @@ class Scene(FolderTestCase):
         (Path(self.folder) / "coefficients.txt").write_text(
             "".join(f"pair_coeff {line}\n" for line in pair))
         (Path(self.folder) / "fixes.txt").write_text("\n".join(fixes) + "\n")
-        settings = {"style": "gran/square_well", "boundary": "f f f", "skin": 4e-4, "mode": "whole",
+        settings = {"style": "gran/squarewell", "boundary": "f f f", "skin": 4e-4, "mode": "whole",
                     "file": "end.txt", "every": steps, **options}
         output = engine.run("in.gran_square_well", self.folder, ranks=ranks, dt=dt, steps=steps,
                             **settings)

@@ -20,7 +20,7 @@ class Soft:
         if not self.wall:
             return pair
         # gran/hamaker's walls know one scheme.
-        scheme = f" scheme {scheme}" if self.style == "gran/square_well" else ""
+        scheme = f" scheme {scheme}" if self.style == "gran/squarewell" else ""
         return [*pair, f"fix walls all wall/{self.style} {contact} xplane 0 NULL yplane 0 NULL{scheme}"]
 
     def base_contact(self, point):
@@ -118,7 +118,7 @@ class Well:
 
 
 class SquareWell(Well, Soft):
-    style, base, corners = "gran/square_well", points.WELL, points.WELL_CORNERS
+    style, base, corners = "gran/squarewell", points.WELL, points.WELL_CORNERS
 
     def contact(self, point):
         return self.base_contact(point) + self.words(point)
@@ -144,7 +144,7 @@ class Hard(Well):
     """Hard cores with square wells, without the rule that makes slow collisions in wells elastic; `steps`: of the
     whole run."""
 
-    style, corners, hard, scheme = "hard/square_well", points.HARD_CORNERS, True, "hard"
+    style, corners, hard, scheme = "hard/squarewell", points.HARD_CORNERS, True, "hard"
     base = {**points.WELL, "width": 0.1, "steps": 30.0}
     random = staticmethod(points.hard_point)
 

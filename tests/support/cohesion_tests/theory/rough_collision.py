@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The impulse of two rough hard spheres that collide, as [H] of the manual page of hard/square_well writes it."""
+"""The impulse of two rough hard spheres that collide, as [H] of the manual page of hard/squarewell writes it."""
 import numpy
 
 
