@@ -37,8 +37,8 @@ PAGE = """# Errors of the coupling by drag, density and cells
 
 Beds of at least 100 times the mass of their gas (R) are correct, or correct after the first steps, at any stiffness of
 the drag. Light or dilute particles need `response free`, or gas steps shorter than m/b; the solver warns. Do not use
-form A for light free spheres at a Courant number of 5. [Stability](../openfoam-coupling/stability.md) lists the limits, and
-[waves](../theory/waves.md) derives them.
+form A for light free spheres at a Courant number of 5. [Stability](../openfoam-coupling/stability.md) lists the
+limits, and [waves](../theory/waves.md) derives them.
 
 ```
 benchmarks/openfoam-coupling/stability_table.py BUILD WORK --table FILE
