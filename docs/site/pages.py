@@ -28,7 +28,7 @@ SECTIONS = (
     ("OpenFOAM", ("docs/openfoam-coupling/*.md",)),
     ("Tools", ("docs/tools/*.md",)),
     ("Theory", ("docs/theory/*.md",)),
-    ("Verification", ("docs/verification/*.md",)),
+    ("Verification", ("docs/verification/published_cases.md", "docs/verification/*.md")),
     ("Change", ("CHANGELOG.md", "CONTRIBUTING.md", "docs/deprecation.md", "docs/contributing_law.md", "docs/*.md")),
 )
 
