@@ -163,7 +163,7 @@ class Statements(Made):
         self.assertEqual(set(agree.values()), {AGREES})
         self.assertEqual({text: verdict for text, verdict in oppose.items() if verdict != DIFFERS}, {})
         self.assertEqual(set(noisy.values()), {CANNOT_TELL})
-        # Velocities, mixing and movement: two slopes and three levels; overshoot and plugs of two laws; all twice; schemes.
+        # Velocities, mixing and movement: two slopes and three levels; overshoot and plugs of two laws; schemes.
         self.assertEqual(len(agree), 2 * (5 * (2 + 3) + 2 * 2) + 3 * 2 * 3)
 
     def test_of_mechanisms(self):
