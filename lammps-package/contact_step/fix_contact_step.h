@@ -120,6 +120,8 @@ class FixContactStep : public Fix {
   /// Of the step before, [time], and whether that is another one.
   double last_length() const { return before_dt; }
   bool has_other_length() const { return before_dt != length(); }
+  /// Of the step with which the forces of the contacts were computed, [time].
+  double forces_length() const { return forces_dt; }
   /// How all forces of the last step but impulses accelerated j less i, [length/time^2]; j < 0: a
   /// wall.
   cohesion::Vector3 relative_acceleration(int i, int j) const {
