@@ -120,6 +120,8 @@ class FixContactStep : public Fix {
   /// Length of the last step, [time], and whether it differs.
   double last_length() const { return before_dt; }
   bool has_other_length() const { return before_dt != length(); }
+  /// Length of the step with which the current forces of contacts were computed, [time].
+  double forces_length() const { return forces_dt; }
   /// Acceleration of j relative to i by the forces of the last step without impulses,
   /// [length/time^2]; j < 0: a wall.
   cohesion::Vector3 relative_acceleration(int i, int j) const {

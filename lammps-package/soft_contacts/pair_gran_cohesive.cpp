@@ -37,7 +37,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       per_pair(0),
       step(nullptr),
       history(modify, history_id(Cohesion::STYLE)) {
-  single_enable = 0;
+  single_enable = 1;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
@@ -47,6 +47,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
 
 template <class Cohesion>
 PairGranCohesive<Cohesion>::~PairGranCohesive() {
+  delete[] svector;
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -77,6 +78,11 @@ void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
   step = FixContactStep::of(lmp);
+  // pair_style hybrid of several versions of the engine copies these numbers beyond their end.
+  if (force->pair == this && single_extra == 0) {
+    svector = new double[SINGLE_EXTRA];
+    single_extra = SINGLE_EXTRA;
+  }
   require_plausible_spheres(lmp, coefficients.where());
   require_whole_special_factors(lmp, this, coefficients.where(), true);
   largest_radius = largest_radii(lmp);

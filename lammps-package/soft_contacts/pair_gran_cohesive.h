@@ -52,6 +52,9 @@ class PairGranCohesive : public Pair,
   void coeff(int, char**) override;
   void init_style() override;
   double init_one(int, int) override;
+  /// For compute pair/local: energy of spring and adhesion; `force` over distance, and SINGLE_EXTRA
+  /// numbers in svector (docs/lammps-package/contact_output.md).
+  double single(int i, int j, int, int, double, double, double, double& force) override;
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
   /// Histories that nothing was written to count as none.
@@ -82,6 +85,8 @@ class PairGranCohesive : public Pair,
   }
 
  private:
+  static constexpr int SINGLE_EXTRA = 10;
+
   /// The contacts of a step, and by type pair which of them was used last.
   template <class Contact>
   struct Contacts {
@@ -118,6 +123,7 @@ class PairGranCohesive : public Pair,
   void find_in_range();
   void forget_all();
   void forget_springs();
+  const double* stored_history(int i, int j) const;
   void forget_if_led(int i, int j, int& has_history) const;
   void begin_step();
   void find_close();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // The part of PairGranCohesive that knows pairs at set-up of a run, and between two steps.
 #include <algorithm>
+#include <cmath>
 
 #include "atom.h"
 #include "common/distinct_places.h"
+#include "contact_solver/contact_report.h"
 #include "contact_step/fix_contact_step.h"
 #include "neigh_list.h"
 #include "soft_contacts/cohesion_laws.h"
@@ -123,6 +125,54 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
       any_contacts);
 }
 
+/// The history of j in the list of i, or null.
+template <class Cohesion>
+const double* PairGranCohesive<Cohesion>::stored_history(int i, int j) const {
+  const int* const listed = list->firstneigh[i];
+  for (int jj = 0; jj < list->numneigh[i]; jj++)
+    if ((listed[jj] & NEIGHMASK) == j)
+      return history->firstflag[i][jj] ? &history->firstvalue[i][per_pair * jj] : nullptr;
+  return nullptr;
+}
+
+static void put(const Vector3& a, double factor, double* numbers) {
+  numbers[0] = factor * a.x;
+  numbers[1] = factor * a.y;
+  numbers[2] = factor * a.z;
+}
+
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, double, double,
+                                          double& over_distance) {
+  over_distance = 0.0;
+  std::fill_n(svector, single_extra, 0.0);
+  if (single_extra > 0) svector[1] = atom->radius[i] + atom->radius[j] - std::sqrt(rsq);
+  if (!is_active || history_stale || !moves(i, j)) return 0.0;
+  // A list of another order may name the partners the other way round.
+  const double* in_list = stored_history(i, j);
+  const bool swapped = !in_list && j < atom->nlocal;
+  if (swapped) in_list = stored_history(j, i);
+  if (!in_list) return 0.0;
+  std::vector<double> values(in_list, in_list + per_pair);
+  ContactState::restore_signs(values.data());
+  const ContactReport found = std::visit(
+      [&](auto& contacts) {
+        return report(contacts.all[contact(contacts, particles(), i, j)],
+                      particles().relative_state(i, j).separation,
+                      ContactHistory::stored(values.data(), per_pair), step->forces_length());
+      },
+      any_contacts);
+  over_distance = found.force / std::sqrt(rsq);
+  if (single_extra > 0) {
+    svector[0] = found.place;
+    svector[2] = found.limiting;
+    svector[3] = norm(found.friction);
+    put(found.friction, swapped ? -1.0 : 1.0, svector + 4);
+    put(found.rolling_torque, swapped ? -1.0 : 1.0, svector + 7);
+  }
+  return found.energy;
+}
+
 /// Appends the pairs within the range of the attraction, where that binds; else those within the
 /// range of contact and adhesion, of those that have a history or, where nothing acts, would have
 /// one.
@@ -143,10 +193,12 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-#define COHESION_INSTANTIATE(style, Law)                                \
-  template void PairGranCohesive<Law>::forget_all();                    \
-  template void PairGranCohesive<Law>::tally_energies_at_setup();       \
-  template void PairGranCohesive<Law>::continue_run();                  \
-  template void PairGranCohesive<Law>::require_distinct_places() const; \
+#define COHESION_INSTANTIATE(style, Law)                                                    \
+  template void PairGranCohesive<Law>::forget_all();                                        \
+  template void PairGranCohesive<Law>::tally_energies_at_setup();                           \
+  template void PairGranCohesive<Law>::continue_run();                                      \
+  template void PairGranCohesive<Law>::require_distinct_places() const;                     \
+  template double PairGranCohesive<Law>::single(int, int, int, int, double, double, double, \
+                                                double&);                                   \
   template void PairGranCohesive<Law>::append_bound(std::vector<std::array<int, 2>>&) const;
 COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

@@ -61,6 +61,13 @@ class ExactContact {
   /// how it came there.
   bool is_in_range(double distance) const { return distance <= solver_.entry_distance(); }
 
+  /// Whether the surfaces touch at this overlap [length], and what friction has besides spring and
+  /// dashpot there, [force].
+  bool touches(double overlap, const ContactHistory& history) const {
+    return history.normal.in_range() && overlap > lowest_overlap_;
+  }
+  double friction_load(double, const ContactHistory&) const { return friction_load_; }
+
   /// Whether a pair out of range may come into it in this step. `flown` [length]: what a pair can
   /// fly in it more than its velocity says.
   bool within_reach(const RelativeState& now, double flown) const {

@@ -56,11 +56,13 @@ class SampledBridge {
     if (step.inside != inside)
       step.normal.dissipated +=
           (step.inside ? -1.0 : 1.0) * pull_.work(window.before * rate - overlap);
-    const double attraction = step.inside ? pull_.at(-overlap) : 0.0;
-    step.velocity_change = (time * (repulsion - attraction) / repulsion_.reduced_mass()) * normal;
+    step.force = repulsion - attraction(overlap, step.inside);
+    step.velocity_change = (time * step.force / repulsion_.reduced_mass()) * normal;
     return step;
   }
 
+  /// `inside`: whether the pair has its bridge; [force].
+  double attraction(double overlap, bool inside) const { return inside ? pull_.at(-overlap) : 0.0; }
   double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
   /// Of a pair that has its bridge, zero at touch.
   double adhesion_energy(double overlap) const { return pull_.work(-overlap); }

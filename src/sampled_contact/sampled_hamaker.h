@@ -53,14 +53,17 @@ class SampledHamaker {
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, grid.velocity);
     const double repulsion = repulsion_.force(overlap, rate, time, step.normal);
-    const double attraction =
-        std::visit([&](const auto& law) { return law.force(-overlap, attraction_.geometry); },
-                   attraction_.law);
-    step.velocity_change = (time * (repulsion - attraction) / repulsion_.reduced_mass()) * normal;
+    step.force = repulsion - attraction(overlap, true);
+    step.velocity_change = (time * step.force / repulsion_.reduced_mass()) * normal;
     step.inside = -overlap < range_;
     return step;
   }
 
+  /// [force]
+  double attraction(double overlap, bool /*inside*/) const {
+    return std::visit([&](const auto& law) { return law.force(-overlap, attraction_.geometry); },
+                      attraction_.law);
+  }
   double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
   double adhesion_energy(double overlap) const {
     return std::visit([&](const auto& law) { return law.energy(-overlap, attraction_.geometry); },

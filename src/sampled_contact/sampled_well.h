@@ -67,11 +67,14 @@ class SampledWell {
     const double repulsion = repulsion_.force(overlap, rate, time, step.normal);
     const double impulse =
         sampled_edge_impulse(depth_, range_, inverse_mass_, -overlap, rate, inside);
+    step.force = repulsion + impulse / time;
     step.velocity_change = ((time * repulsion + impulse) * inverse_mass_) * normal;
     step.inside = inside;
     return step;
   }
 
+  /// Its edge gives impulses, and nothing in contact.
+  static constexpr double attraction(double /*overlap*/, bool /*inside*/) { return 0.0; }
   double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
 
