@@ -11,7 +11,7 @@ PACKAGE = SOURCE / "lammps-package"
 PAGES = SOURCE / "docs/lammps-package"
 COMMANDS = {"Pair": "pair_style", "Fix": "fix", "Compute": "compute"}
 # Capitals are for internal use; a former name leads to the page of the current one.
-REGISTERED = re.compile(r"^\s*(Pair|Fix|Compute)Style\(([a-z][\w/]*),\s*(?!Former)", re.M)
+REGISTERED = re.compile(r"^\s*(Pair|Fix|Compute)Style\(([a-z][\w/]*),(?!\s*Former)", re.M)
 LAWS = PACKAGE / "soft_contacts/cohesion_laws.h"
 
 
