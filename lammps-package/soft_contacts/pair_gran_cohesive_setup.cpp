@@ -5,7 +5,7 @@
 
 #include "atom.h"
 #include "common/distinct_places.h"
-#include "contact_solver/contact_report.h"
+#include "contact_solver/contact_output.h"
 #include "contact_step/fix_contact_step.h"
 #include "neigh_list.h"
 #include "soft_contacts/cohesion_laws.h"
@@ -155,11 +155,11 @@ double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, do
   if (!in_list) return 0.0;
   std::vector<double> values(in_list, in_list + per_pair);
   ContactState::restore_signs(values.data());
-  const ContactReport found = std::visit(
+  const ContactOutput found = std::visit(
       [&](auto& contacts) {
-        return report(contacts.all[contact(contacts, particles(), i, j)],
-                      particles().relative_state(i, j).separation,
-                      ContactHistory::stored(values.data(), per_pair), step->forces_length());
+        return output_of(contacts.all[contact(contacts, particles(), i, j)],
+                         particles().relative_state(i, j).separation,
+                         ContactHistory::stored(values.data(), per_pair), step->forces_length());
       },
       any_contacts);
   over_distance = found.force / std::sqrt(rsq);

@@ -9,7 +9,7 @@
 namespace cohesion::contact_solver {
 
 /// A contact of two spheres at a time level, as an output lists it.
-struct ContactReport {
+struct ContactOutput {
   enum Place { apart, in_range, touching };
 
   Place place = apart;
@@ -25,20 +25,20 @@ struct ContactReport {
 /// Contact: ExactContact or SampledContact. `separation` of j from i [length]; `step` [time]: with
 /// which the forces in the history were computed.
 template <class Contact>
-ContactReport report(const Contact& contact, const Vector3& separation,
-                     const ContactHistory& history, double step) {
+ContactOutput output_of(const Contact& contact, const Vector3& separation,
+                        const ContactHistory& history, double step) {
   const StoredEnergies energies = contact.stored(separation, history);
-  ContactReport report;
-  report.overlap = contact.bodies().distance() - norm(separation);
-  report.force = history.normal.force;
-  report.energy = energies.spring + energies.adhesion;
-  if (history.normal.in_range()) report.place = ContactReport::in_range;
-  if (!contact.touches(report.overlap, history)) return report;
-  report.place = ContactReport::touching;
-  report.limiting = std::max(report.force + contact.friction_load(report.overlap, history), 0.0);
-  report.friction = (-1.0 / step) * history.sliding.impulse;
-  report.rolling_torque = (contact.bodies().rolling_radius() / step) * history.rolling.impulse;
-  return report;
+  ContactOutput output;
+  output.overlap = contact.bodies().distance() - norm(separation);
+  output.force = history.normal.force;
+  output.energy = energies.spring + energies.adhesion;
+  if (history.normal.in_range()) output.place = ContactOutput::in_range;
+  if (!contact.touches(output.overlap, history)) return output;
+  output.place = ContactOutput::touching;
+  output.limiting = std::max(output.force + contact.friction_load(output.overlap, history), 0.0);
+  output.friction = (-1.0 / step) * history.sliding.impulse;
+  output.rolling_torque = (contact.bodies().rolling_radius() / step) * history.rolling.impulse;
+  return output;
 }
 
 }  // namespace cohesion::contact_solver
