@@ -126,8 +126,8 @@ int PairGranCohesive<Cohesion>::values_per_pair() const {
   return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
 }
 
-/// The part of the skin that is for the flight of both particles within a step: a fifth; the flight
-/// is far less where the engine's own check of the list holds at all.
+/// The part of the skin reserved for the flight of both particles within a step. A fifth suffices
+/// wherever the engine's own check of the neighbour list is valid.
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::flight_allowance() const {
   return 0.2 * neighbor->skin;
@@ -136,7 +136,7 @@ double PairGranCohesive<Cohesion>::flight_allowance() const {
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
-  // Bound pairs count up to there, and a load carries one so far before it has left.
+  // Pairs are bound up to this range, and a load may carry one this far before it leaves.
   if (Cohesion::BINDS_IN_RANGE)
     range = std::max(range, coefficients.range_of_attraction(coefficients.of_types(i, j)));
   coefficients.require_short(i, j, smallest_radius[i], smallest_radius[j]);
@@ -159,7 +159,7 @@ void PairGranCohesive<Cohesion>::give_advice(const RunConditions& now, AdviceOfS
                              given_advice));
 }
 
-/// The contacts between particles of the types that are this style's.
+/// The contacts between particles of the types of this style.
 template <class Cohesion>
 std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
     const std::vector<LightestParticle>& lightest) const {

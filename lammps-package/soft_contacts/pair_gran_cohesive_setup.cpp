@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of PairGranCohesive that knows pairs at set-up of a run, and between two steps.
+// The part of PairGranCohesive for set-up of a run and for outputs between two steps.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;
 using cohesion::Vector3;
 
-/// Calls what(i, j, has_history, values): whether the pair has a history, and that.
+/// Calls what(i, j, has_history, values) for each pair of the neighbour list.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
@@ -29,23 +29,23 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
-/// A pair of which nothing else is known is in the list of histories where it stands in range.
+/// Whether the stored state is that of a pair in range.
 static bool is_inside(int has_history, const double* values) {
   if (!has_history) return false;
   const ContactState known = ContactState::stored(values);
   return known.in_range() || known.phase == ContactState::unknown;
 }
 
-/// After steps in which nothing acted.
+/// Clears all histories, after steps in which no contact was computed.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_all() {
   history_stale = false;
   for_each_listed([](int, int, int& has_history, double*) { has_history = 0; });
 }
 
-/// Sets which pairs are in range by where they are, where their histories do not tell: of pairs
-/// without one, of those that something else than their motion has altered, and of all where laws
-/// have other ranges.
+/// Decides by their distance which pairs are in range if their histories do not determine it: pairs
+/// without a history, pairs that a script has altered, and all pairs where ranges of laws have
+/// changed.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_in_range() {
   std::visit(
@@ -54,7 +54,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
         for_each_listed([&](int i, int j, int& has_history, double* values) {
           if (has_history && !step->is_altered(i, j) && !coefficients.has_other_ranges()) return;
           const double apart = distance(i, j);
-          // Contacts are made for those only that some contact could reach.
+          // The contact is needed only for pairs within the largest range.
           bool near = moves(i, j) && apart < atom->radius[i] + atom->radius[j] + largest_range;
           if (near) {
             const auto& law = contacts.all[contact(contacts, particles(), i, j)];
@@ -90,7 +90,8 @@ void PairGranCohesive<Cohesion>::continue_run() {
   });
 }
 
-/// Contacts without friction leave alone what is remembered of springs, and may get friction again.
+/// Clears the tangential springs. Contacts without friction do not update them, and a later run may
+/// have friction again.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_springs() {
   for_each_listed([this](int, int, int has_history, double* values) {
@@ -148,7 +149,7 @@ double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, do
   std::fill_n(svector, single_extra, 0.0);
   if (single_extra > 0) svector[1] = atom->radius[i] + atom->radius[j] - std::sqrt(rsq);
   if (!is_active || history_stale || !moves(i, j)) return 0.0;
-  // A list of another order may name the partners the other way round.
+  // Another neighbour list may contain the pair in the other order.
   const double* in_list = stored_history(i, j);
   const bool swapped = !in_list && j < atom->nlocal;
   if (swapped) in_list = stored_history(j, i);
@@ -173,9 +174,8 @@ double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, do
   return found.energy;
 }
 
-/// Appends the pairs within the range of the attraction, where that binds; else those within the
-/// range of contact and adhesion, of those that have a history or, where nothing acts, would have
-/// one.
+/// Appends the bound pairs: those within the range of the attraction if the law binds by range,
+/// otherwise those whose history is in range. Where no contact is computed, touching pairs count.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for_each_listed([&](int i, int j, int has_history, const double* values) {

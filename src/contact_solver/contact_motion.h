@@ -9,7 +9,7 @@
 
 namespace cohesion::contact_solver {
 
-/// What moves two that touch, by the law of their contact: in closed form, or by integration.
+/// Integrator of the motion in contact: in closed form for linear contacts, numerical for others.
 using ContactMotion = std::variant<LinearContact, IntegratedContact<contact::HertzSpringDashpot>,
                                    IntegratedContact<contact::JkrSpringDashpot>>;
 
