@@ -190,13 +190,11 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
       at.distance, contact.rinv, at.rate, speed_squared, k->solver->step());
-  if (energies) {
-    const ContactState before = state;
-    if (!k->solver->advance_persistent(distance, state, step)) return false;
+  const ContactState before = state;
+  if (!k->solver->advance_persistent(distance, state, step)) return false;
+  if (state.phase != ContactState::persistent) return false;
+  if (energies)
     set_energies(*k, contact.radsum, {at, 0.0, false, before, state, state.force, 0.0}, *energies);
-  } else if (!k->solver->advance_persistent(distance, state, step)) {
-    return false;
-  }
   force = state.force;
   set_friction(contact, *k, step, time_apart, spring);
   state.store_persistent(history);

@@ -101,7 +101,7 @@ class FixContactStep : public Fix {
   /// Whether a relative velocity [length/time] changes the contact of particle i. The residual
   /// velocity that fix freeze leaves of a particle at rest does not.
   bool carries_along(int i, const cohesion::Vector3& velocity) const {
-    constexpr double at_rest = 1e-9;  // way in a step over the radius
+    constexpr double at_rest = 1e-8;  // way in a step over the radius
     return length() * norm(velocity) > at_rest * atom->radius[i];
   }
   /// A contact of the exact or the sampled scheme, for this step.

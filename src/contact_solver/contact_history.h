@@ -47,8 +47,7 @@ struct ContactHistory {
   /// range or not by its position, and in range it keeps its springs. The velocity offset remains.
   ContactHistory moved(bool into_range) const {
     ContactHistory now;
-    if (normal.phase != ContactState::persistent)
-      now.normal.velocity_offset = normal.velocity_offset;
+    if (!normal.is_persistent()) now.normal.velocity_offset = normal.velocity_offset;
     if (into_range) {
       now.normal.phase = ContactState::unknown;
       now.sliding = sliding;

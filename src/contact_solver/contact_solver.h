@@ -97,8 +97,8 @@ class ContactSolver : public PairCourse {
   }
   /// The discrete force of spring and dashpot at a time level that a persistent contact has
   /// reached, [force].
-  double repulsion(const StaggeredMotion& now) const {
-    return std::visit([&](const auto& c) { return c.repulsion(point(now)); }, contact());
+  double repulsion(const StaggeredMotion& now, const ContactState& state) const {
+    return std::visit([&](const auto& c) { return c.repulsion(point(now), state); }, contact());
   }
   /// The energy of spring and adhesion by the energy account, less that of their laws: staggered
   /// velocities have another kinetic energy than the true motion, under a load the discrete spring
@@ -118,7 +118,7 @@ class ContactSolver : public PairCourse {
   double dissipated(const StaggeredMotion& now, const ContactState& state) const {
     return std::visit(
         [&](const auto& c) {
-          return state.phase == ContactState::persistent
+          return state.is_persistent()
                      ? c.dissipation(point(now), now, state,
                                      adhesion_energy(contact_distance() - now.distance))
                      : c.late_dissipation(now, state);
@@ -215,7 +215,7 @@ class ContactSolver : public PairCourse {
  private:
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
                         ContactStep& result) const {
-    if (state.phase == ContactState::persistent) {
+    if (state.is_persistent()) {
       const DistanceMotion distance =
           DistanceMotion::of_pair(now.distance, 1.0 / now.distance, now.rate,
                                   now.rate * now.rate + now.sideways * now.sideways, step());
@@ -275,7 +275,7 @@ class ContactSolver : public PairCourse {
   [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& result,
                                     ContactState& state) const {
     state.account += result.account + account_.exchanged(state.force, external, state);
-    state.phase = ContactState::persistent;
+    state.phase = result.taut ? ContactState::taut : ContactState::persistent;
     state.velocity_offset = result.true_rate;
     state.last_rate = rate;
     state.force_before = state.force;
@@ -298,8 +298,7 @@ class ContactSolver : public PairCourse {
   /// The true rate of the distance at the time level: the staggered one, the external acceleration
   /// for half a step and the stored offset; in a persistent contact by its law.
   double true_rate(const StaggeredMotion& now, double external, const ContactState& state) const {
-    if (state.phase != ContactState::persistent)
-      return now.rate + state.velocity_offset + 0.5 * step() * external;
+    if (!state.is_persistent()) return now.rate + state.velocity_offset + 0.5 * step() * external;
     const double load = outward({now.distance, now.rate, now.sideways}, external);
     const ContactPoint here = point(now);
     return std::visit(
@@ -321,7 +320,7 @@ class ContactSolver : public PairCourse {
     const ContactPoint here = point(now);
     return exchanged + std::visit(
                            [&](const auto& c) {
-                             return state.phase == ContactState::persistent
+                             return state.is_persistent()
                                         ? c.account(here, now, state, adhesion_energy(here.overlap))
                                         : state.account + c.late_dissipation(now, state) +
                                               account_.work_of_last(state.force, now);

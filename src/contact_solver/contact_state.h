@@ -16,7 +16,8 @@ struct ContactState {
     inside,      ///< in range without contact, nothing pending but in the account
     touching,    ///< in contact throughout the last step, which was resolved
     settling,    ///< out of range, the energy account is not closed
-    unknown      ///< no state was stored: the contact is seen for the first time where it stands
+    unknown,     ///< no state was stored: the contact is seen for the first time where it stands
+    taut         ///< persistent, with the stiffer spring of a contact under tension
   };
   Phase phase = outside;
   /// True rate of the distance at the time level less the staggered one and half a step of the
@@ -74,16 +75,18 @@ struct ContactState {
   /// Whether the pair is out of range, or has no stored state, with nothing pending.
   bool is_outside() const { return phase == outside || phase == unknown; }
   /// Whether the pair was in contact throughout the last step.
-  bool in_contact() const { return phase == persistent || phase == touching; }
+  bool in_contact() const { return is_persistent() || phase == touching; }
+  bool is_persistent() const { return phase == persistent || phase == taut; }
   /// Whether position and staggered velocity are the whole state.
   bool has_nothing_pending() const { return is_outside() || phase == inside; }
 };
 
 /// Result of a step of a persistent contact.
 struct PersistentStep {
-  double force;      ///< away from the partner, [force]
-  double repulsion;  ///< the part of spring and dashpot, [force]
-  double account;    ///< change of its energy account without exchanged(), [energy]
+  double force;       ///< away from the partner, [force]
+  double repulsion;   ///< the part of spring and dashpot, [force]
+  double account;     ///< change of its energy account without exchanged(), [energy]
+  bool taut = false;  ///< ContactState::taut
   /// True rate of the distance, where the law's account needs it, [length/time].
   double true_rate = 0.0;
   /// Of a law without a closed form: its point at this overlap, and its radius_stiffness at the

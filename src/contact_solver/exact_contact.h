@@ -110,6 +110,7 @@ class ExactContact {
     if (!(linear ? solver_.advance_linear(motion, normal, does)
                  : solver_.advance_persistent(motion, normal, does)))
       return false;
+    if (normal.phase != ContactState::persistent) return false;
     normal.store_persistent(values);
     step.repulsion = step_ * does.repulsion;
     step.action.impulse = (step_ * normal.force * inverse) * s;
@@ -158,7 +159,7 @@ class ExactContact {
                    first ? 0.0 : solver_.offset(at, external, before),
                    bodies_.distance() - at.distance,
                    bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
-                   solver_.repulsion(at),
+                   solver_.repulsion(at, before),
                    overlap_at_end(now, step.action.impulse),
                    lowest_overlap_};
     if (energies) {
@@ -207,7 +208,7 @@ class ExactContact {
     ContactState& state = history.normal;
     const Vector3& s = now.relative.separation;
     const double inverse = 1.0 / norm(s);
-    if (state.phase == ContactState::persistent) {
+    if (state.is_persistent()) {
       state.last_rate =
           motion(now.relative, inverse).mean_rate(step_) - step_ * inverse * dot(s, acceleration);
     } else if (solver_.gave_impulse(state)) {
@@ -252,10 +253,10 @@ class ExactContact {
     double overlap_at_end;
     double lowest;  ///< at which contact ends
 
-    bool persisted() const { return before.phase == ContactState::persistent; }
+    bool persisted() const { return before.is_persistent(); }
     /// The overlap that a spring has in the step that begins here, and had in the last one.
     double overlap_in_step() const {
-      return after.phase == ContactState::persistent ? overlap : mean(overlap, overlap_at_end);
+      return after.is_persistent() ? overlap : mean(overlap, overlap_at_end);
     }
     double overlap_in_last_step() const {
       return persisted() ? overlap_before : mean(overlap_before, overlap);
@@ -329,7 +330,7 @@ class ExactContact {
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
     bool slips = false;
     Vector3 stretch{}, impulse;
-    if (n.after.phase == ContactState::persistent) {
+    if (n.after.is_persistent()) {
       const double limiting =
           n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + friction_load_;
       impulse =

@@ -124,7 +124,7 @@ class IntegratedContact {
     step.true_rate = -rate;
     return true;
   }
-  double repulsion(const ContactPoint& now) const {
+  double repulsion(const ContactPoint& now, const ContactState&) const {
     const contact::LawPoint p = point(now.overlap);
     return p.force - p.damping * now.rate + friction_load_ - adhesion_;
   }

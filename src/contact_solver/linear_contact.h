@@ -21,8 +21,17 @@ namespace cohesion::contact_solver {
 ///
 ///   f = K' x - eta' u - (K'/K) F_ad      K' = mu (1 + d - 2 c)/dt^2    eta' = mu (1 - d)/dt
 ///
-/// with the overlap x and the mean rate u of the last step, of the distance. A load L gives the
-/// overlap L/K' in the place of L/K.
+/// with the overlap x and the mean rate u of the last step, of the distance. A load L changes the
+/// overlap at rest by L/K' in the place of L/K.
+///
+/// This force ends at (K'/K) F_ad where the overlap is zero, and a contact bears F_ad. So a contact
+/// is taut where an outward load above half of F_ad has brought it below x_t = q F_ad/K, and has a
+/// stiffer spring there:
+///
+///   f = K_t x - eta' u - F_ad      K_t x_t - F_ad = K' x_t - (K'/K) F_ad
+///
+/// A free oscillation stays exact. In resolved steps the load acts so that a contact has the same
+/// overlap at rest.
 ///
 /// Of its energy account (energy_account.h): while the contact is persistent, R has besides the
 /// energy that the discrete spring stores; its dissipation is a quadratic form of two staggered
@@ -43,8 +52,11 @@ class LinearContact {
         adhesion_(attraction),
         pull_(attraction / spring.reduced_mass()),
         attraction_(discrete_.stiffness * pull_ / oscillator_.w0_squared()),
-        weight_(spring.stiffness() / discrete_.stiffness),
-        bearable_(bearable(spring.restitution())),
+        weight_(step < 0.5 * spring.contact_time() ? spring.stiffness() / discrete_.stiffness
+                                                   : 1.0),
+        taut_overlap_(taut_part * attraction / spring.stiffness()),
+        taut_stiffness_(discrete_.stiffness +
+                        (taut_overlap_ > 0.0 ? (attraction - attraction_) / taut_overlap_ : 0.0)),
         damping_(spring.damping()) {
     if (damping_ > 0.0) set_dissipation();
   }
@@ -92,29 +104,33 @@ class LinearContact {
   [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
                                                  const ContactState& state,
                                                  PersistentStep& step) const {
-    if (!force_of(now, load, step)) return false;
+    const bool taut = is_taut(now.overlap, load);
+    if (!force_of(now, taut, load, step)) return false;
     step.account = dissipated(state.last_rate, now.rate);
+    if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
     return true;
   }
   /// The same in the first step after a resolved one.
   bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
                         const ContactState& /*state*/, PersistentStep& step) const {
-    if (!force_of(now, load, step)) return false;
-    step.account = 0.5 * whole_step_.time * step.force * at.rate + stored(now, at);
+    const bool taut = is_taut(now.overlap, load);
+    if (!force_of(now, taut, load, step)) return false;
+    step.account = 0.5 * whole_step_.time * step.force * at.rate + stored(now, taut, at);
     return true;
   }
   /// The part of spring and dashpot at a time level that a persistent contact has reached, [force].
-  double repulsion(const ContactPoint& now) const {
-    return discrete_.stiffness * now.overlap - discrete_.damping * now.rate +
-           (adhesion_ - attraction_);
+  double repulsion(const ContactPoint& now, const ContactState& state) const {
+    return force(now, was_taut(state)) + adhesion_;
   }
 
   /// Of a persistent contact: R up to this time level without the work of the force that begins
   /// here.
   double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
                  double /*adhesion_energy*/) const {
-    return state.account + dissipated(state.last_rate, now.rate) - stored(now, at) -
-           0.5 * whole_step_.time * force(now) * at.rate;
+    const bool taut = was_taut(state);
+    return state.account + dissipated(state.last_rate, now.rate) +
+           (taut ? work_beyond_stored(now, taut, taut) : 0.0) - stored(now, taut, at) -
+           0.5 * whole_step_.time * force(now, taut) * at.rate;
   }
   /// What the dashpot of a persistent contact has dissipated since the last time level, [energy].
   double dissipation(const ContactPoint& now, const StaggeredMotion&, const ContactState& state,
@@ -130,7 +146,7 @@ class LinearContact {
                    const ContactState&, double /*adhesion_energy*/) const {
     const double dt = whole_step_.time;
     const double before = std::hypot(at.distance - dt * at.rate, dt * at.sideways);
-    const double equilibrium = (pull_ - weight_ * outward) / oscillator_.w0_squared();
+    const double equilibrium = (pull_ - resolved_load(outward)) / oscillator_.w0_squared();
     const double is = now.overlap - equilibrium, was = is + at.distance - before;
     const double rate = (is - whole_step_.xx * was) / whole_step_.xv;
     return -(whole_step_.vx * was + whole_step_.vv * rate);
@@ -150,36 +166,59 @@ class LinearContact {
   /// The fraction of the way of a step that a contact must be away from its end to be certain to
   /// last.
   static constexpr double certain = 0.1;
-  /// The largest load of a persistent contact over that at which its overlap is zero.
-  static constexpr double pressed = 0.9;
+  /// q, the overlap x_t over that of a contact at rest without a load. A small one makes the spring
+  /// much stiffer, a large one changes the free oscillation.
+  static constexpr double taut_part = 0.3;
 
-  /// Up to which load a contact stays persistent. Beyond it the overlap at rest is (F_ad - L)/K,
-  /// where it was F_ad/K - L/K' before, and the contact begins to swing by the difference. What is
-  /// left of the swing when the contact is to part must not part it by a hundredth of F_ad too
-  /// early: half of that, of a load that is slow, which needs ten contact times for the last part
-  /// of its way. At 1/weight_ of F_ad the persistent overlap is zero, with the speed of the load's
-  /// way, which the barrier of the tail may not hold there: a part of it stays pressed.
-  double bearable(double restitution) const {
-    if (!(pull_ > 0.0)) return std::numeric_limits<double>::infinity();
-    const double swing = (weight_ - 1.0) * std::pow(restitution, 10.0);
-    return pull_ * std::min(pressed / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
-  }
-  /// The outward acceleration of a contact that is resolved, so that a load that a persistent
-  /// contact bears gives the same overlap: were it another, spheres that bounce under their weight
-  /// would gain energy. A contact is not to bear more than F_ad, and a larger load acts as it is.
+  /// The outward acceleration of a contact that is resolved, such that its overlap at rest is that
+  /// of a persistent contact: otherwise a contact that changes from one to the other would begin to
+  /// swing, and spheres that bounce under their weight would gain energy. No contact bears more
+  /// than F_ad, and a larger load acts unchanged.
   double resolved_load(double outward) const {
-    return outward < bearable_ ? weight_ * outward : outward;
+    const double slack = (1.0 - taut_part) * pull_ / weight_;
+    if (!(pull_ > 0.0) || outward <= slack) return weight_ * outward;
+    if (outward >= pull_) return outward;
+    return pull_ * (1.0 - taut_part * (pull_ - outward) / (pull_ - slack));
   }
 
-  [[gnu::always_inline]] double force(const ContactPoint& now) const {
-    return discrete_.stiffness * now.overlap - discrete_.damping * now.rate - attraction_;
+  /// Whether a persistent contact is taut under the `load` [length/time^2] of the last step.
+  [[gnu::always_inline]] bool is_taut(double overlap, double load) const {
+    return overlap < taut_overlap_ && load > 0.5 * pull_;
   }
-  [[gnu::always_inline]] bool force_of(const ContactPoint& now, double load,
+  static bool was_taut(const ContactState& state) { return state.phase == ContactState::taut; }
+
+  /// Of spring and adhesion at overlap x, [force].
+  [[gnu::always_inline]] double spring_force(double x, bool taut) const {
+    return taut && x < taut_overlap_ ? taut_stiffness_ * x - adhesion_
+                                     : discrete_.stiffness * x - attraction_;
+  }
+  /// The integral of spring_force() over the overlap, [energy].
+  double spring_potential(double x, bool taut) const {
+    const double slack = x * (0.5 * discrete_.stiffness * x - attraction_);
+    const double below = taut ? std::min(x - taut_overlap_, 0.0) : 0.0;
+    return slack + 0.5 * (taut_stiffness_ - discrete_.stiffness) * below * below;
+  }
+  /// The work of spring and adhesion in the last step, the mean of both forces times the way, less
+  /// the decrease of their potential, [energy]: 0 but where the spring changes. taut_before, taut:
+  /// at the two time levels.
+  [[gnu::noinline]] double work_beyond_stored(const ContactPoint& now, bool taut_before,
+                                              bool taut) const {
+    const double before = now.overlap + whole_step_.time * now.rate;
+    return spring_potential(now.overlap, taut) - spring_potential(before, taut_before) -
+           0.5 * (spring_force(before, taut_before) + spring_force(now.overlap, taut)) *
+               (now.overlap - before);
+  }
+
+  [[gnu::always_inline]] double force(const ContactPoint& now, bool taut) const {
+    return spring_force(now.overlap, taut) - discrete_.damping * now.rate;
+  }
+  [[gnu::always_inline]] bool force_of(const ContactPoint& now, bool taut, double load,
                                        PersistentStep& step) const {
-    if (!(load < bearable_)) return false;
+    if (adhesion_ > 0.0 && !(load < pull_)) return false;
     const double dt = whole_step_.time;
-    step.force = force(now);
+    step.force = force(now, taut);
     step.repulsion = step.force + adhesion_;
+    step.taut = taut;
     const double next = -now.rate - dt * (step.force * inverse_mass_ + load);
     // Between two time levels it may dip below both, most where what pulls is constant.
     const double dip = 0.125 * dt * std::max(next + now.rate, 0.0);
@@ -202,10 +241,10 @@ class LinearContact {
   }
 
   /// The energy whose decrease is the work of a persistent contact, of turning pairs, too.
-  double stored(const ContactPoint& now, const StaggeredMotion& at) const {
+  double stored(const ContactPoint& now, bool taut, const StaggeredMotion& at) const {
     const double across = whole_step_.time * at.sideways;
-    return now.overlap * (0.5 * discrete_.stiffness * now.overlap - attraction_) -
-           0.25 * force(now) * across * across / at.distance;
+    return spring_potential(now.overlap, taut) -
+           0.25 * force(now, taut) * across * across / at.distance;
   }
   /// The dissipation in closed form from one time level to the next of a persistent contact, less
   /// the work of the discrete dashpot, from the mean rates before and after the first one. R
@@ -238,12 +277,13 @@ class LinearContact {
   DiscreteConstants discrete_;
   double reduced_mass_;
   double inverse_mass_;
-  double adhesion_;    // F_ad
-  double pull_;        // F_ad/mu
-  double attraction_;  // (K'/K) F_ad
-  double weight_;      // K/K'
-  double bearable_;    // largest load per mu, [length/time^2]
-  double damping_;     // of the contact, [mass/time]
+  double adhesion_;        // F_ad
+  double pull_;            // F_ad/mu
+  double attraction_;      // (K'/K) F_ad
+  double weight_;          // K/K'; 1 where no contact persists
+  double taut_overlap_;    // x_t
+  double taut_stiffness_;  // K_t
+  double damping_;         // of the contact, [mass/time]
   double before_before_ = 0.0, before_after_ = 0.0, after_after_ = 0.0;  // of dissipated()
 };
 

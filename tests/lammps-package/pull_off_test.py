@@ -3,6 +3,7 @@
 partner and load; a square well holds any slow load. benchmarks/lammps-package/pull-off-ramp.py prints the whole
 campaign."""
 import sys
+import re
 import unittest
 
 from cohesion_tests import lammps
@@ -66,6 +67,45 @@ class PullOff(unittest.TestCase):
                         grain = Grain(50.0, 0.9)
                         gap = pull_off.gap_after_release(grain, division, level, hold, release)
                         self.assertEqual(gap < grain.force / grain.stiffness, holds)
+
+    def test_a_row_of_grains_parts_at_the_adhesion_force(self):
+        # Grains hang from a plate and from each other; the load grows by 1.2 F_ad in 5000 contact times.
+        for count, restitution, division in ((8, 0.95, 5), (16, 0.3, 10)):
+            with self.subTest(count=count, restitution=restitution, division=division):
+                grain = Grain(50.0, restitution, partner="pair")
+                contact = grain.contact_time / division
+                steps, at_rest = 5000 * division, grain.force / 50.0
+                words = f"stiffness 50 restitution {restitution} hamaker 1e-19 cutoff 4e-10 1e-7"
+                rows = "".join(f"create_atoms 1 single 5e-4 5e-4 {3e-3 - (k + 0.5) * (75e-6 - at_rest) + at_rest / 2:.17g}\n"
+                               for k in range(count))
+                code, output = self.run_text(f"""plugin load {lammps.plugin()}
+units si
+atom_style sphere
+atom_modify map array
+boundary f f f
+newton off
+comm_modify vel yes
+region box block 0 1e-3 0 1e-3 0 3.1e-3
+create_box 1 box
+neighbor 3e-5 bin
+{rows}set group all diameter 75e-6 density 1500
+pair_style gran/hamaker
+pair_coeff * * {words}
+fix plate all wall/gran/hamaker {words} zplane NULL 3e-3
+timestep {contact!r}
+variable part equal 1.2*step/{steps}
+variable load equal -{grain.force!r}*v_part
+group last id {count}
+fix pull last addforce 0 0 v_load
+fix move all nve/sphere
+variable fallen equal z[{count}]<{3e-3 - 75e-6 * count - 1e-7!r}
+fix stop all halt 1 v_fallen != 0 error continue
+run {steps}
+print "PARTED $(v_part)"
+""")
+                self.assertEqual(code, 0, output[-3000:])
+                # It falls by 1e-7 m in some ten contact times.
+                self.assertAlmostEqual(float(re.search(r"^PARTED (\S+)", output, re.M)[1]), 1.0, delta=0.01)
 
     def test_sampled(self):
         self.check(LAG, 50, 50.0, 0.5, scheme="sampled")
