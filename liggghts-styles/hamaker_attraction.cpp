@@ -11,7 +11,6 @@
 #include "atom.h"
 #include "common/message.h"
 #include "contact_solver/turning.h"
-#include "error.h"
 #include "fix.h"
 #include "global_properties.h"
 #include "hamaker/range_of_validity.h"
@@ -111,9 +110,8 @@ void HamakerAttraction::require_turns_as_touching() const {
         cohesion::contact_solver::require_turns_as_touching(adhesion(i, j, radii[i], radii[j]),
                                                             radii[i] + radii[j]);
       } catch (const cohesion::InvalidParameter& bad) {
-        lmp_->error->all(FLERR, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ", i,
-                                                   " and ", j, ": ", bad.what())
-                                    .c_str());
+        LAMMPS_NS::stop(lmp_, FLERR, "cohesion model ", MODEL, ", atom types ", i, " and ", j, ": ",
+                        bad.what());
       }
     }
 }
