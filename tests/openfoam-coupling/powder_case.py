@@ -22,7 +22,7 @@ BUILD, WORK = os.environ["COHESION_BUILD"], Path(os.environ["COHESION_WORK"])
 DENSITY, STIFFNESS = 2500, 100
 GRAINS = ("--density", DENSITY, "--stiffness", STIFFNESS, "--hamaker", 6.5e-20, "--engine", ENGINE)
 # Hertz's and JKR's contact of glass, at a softer modulus.
-YOUNG, POISSON, SOFT = 63e9, 0.22, 3e6
+YOUNG, POISSON, SOFT = 63e9, 0.22, 1e6
 ELASTIC = ("--density", DENSITY, "--young", YOUNG, "--poisson", POISSON, "--soft-young", SOFT, "--engine", ENGINE)
 
 
