@@ -93,6 +93,7 @@ class PowderCase(CoupledTestCase):
                               across / 2 - nearest(5e-4))
         self.expect_true(f"{name}: all are above the plate", places[:, 2].min() > nearest(4e-4))
 
+    @unittest.skipUnless(ENGINE == "lammps", "cells are the coupling's part; other tests have two sizes in a box")
     def test_two_sizes_in_finer_cells(self):
         self.check("two", "--diameter", 4e-4, 6e-4, "--cell", 2, *BOX, cell=1e-3)
 
