@@ -50,8 +50,9 @@ class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Paramet
       stop(lmp, FLERR, where, ": ", bad.what(), units_of_lengths(lmp));
     }
     const std::string doubt = cohesion::liquid_bridge::doubt_of_volume(p.law, radius);
-    if (!doubt.empty() && warned_.insert(where + doubt).second && lmp->comm->me == 0)
-      lmp->error->warning(FLERR, where + ": " + doubt + units_of_lengths(lmp));
+    if (doubt.empty()) return;
+    const std::string text = where + ": " + doubt + units_of_lengths(lmp);
+    if (warned_.insert(text).second && lmp->comm->me == 0) lmp->error->warning(FLERR, text);
   }
 
  private:

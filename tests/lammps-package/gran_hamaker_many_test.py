@@ -176,7 +176,8 @@ class Settling(unittest.TestCase):
     resists rolling; with a rolling friction nothing is left that moves without loss."""
 
     def kinetic_over_limit(self, ratio, division, of_start, seed, roll, duration):
-        """After a run of `duration` [s]: over `of_start` of the kinetic energy at the start; 0: over the limit of what is stored."""
+        """After a run of `duration` [s]: over `of_start` of the kinetic energy at the start; 0: over the limit of what
+        is stored."""
         with engine.temporary_folder() as folder:
             settling.write(folder, 4, 5, seed=seed)
             table, _ = settling.follow(folder, division, duration, A=settling.hamaker_constant(ratio), roll=roll)
