@@ -7,8 +7,26 @@
 # on 2 ranks and so takes 2 cores, and what is labelled long is left out by scripts/run-tests. The timeout (600 s) is
 # a guard against hangs, far above what a test takes: ranks that share a busy machine wait for each other. Tests of
 # high COST begin first, so that no long one is left over when the others have ended; by itself ctest knows what they
-# took the last time in this build folder. Python finds the packages of tests/support and examples/common, and what
-# lies in the folders of MODULES. MPI looks for no network.
+# took the last time in this build folder. COHESION_TEST_COSTS has the longest. Python finds the packages of
+# tests/support and examples/common, and what lies in the folders of MODULES. MPI looks for no network.
+
+# Names, lammps.*.NAME without the engine, and seconds of a core, of tests that need ten or more
+set(COHESION_TEST_COSTS
+  coupling.pages.getting-started 50
+  coupling.powder_case 35
+  coupling.liggghts.powder_case 30
+  liggghts.long_shear 30
+  lammps.gran_hamaker_many 28
+  coupling.moving_cuts 20
+  coupling.packed_bed_on_meshes 16
+  coupling.closed_vessels 14
+  lammps.pages 14
+  coupling.two_fluid_uniform_beds 12
+  coupling.liggghts.packed_mixture 12
+  liggghts.jkr 12
+  coupling.gas_density 10
+  lammps.hard_square_well_ranks 10)
+
 function(cohesion_add_test)
   cmake_parse_arguments(T "" "NAME;RANKS;TIMEOUT;COST;PROCESSORS" "LABELS;COMMAND;ENVIRONMENT;MODULES" ${ARGN})
   set(processors 1)
@@ -41,6 +59,12 @@ function(cohesion_add_test)
     TIMEOUT ${T_TIMEOUT}
     PROCESSORS ${processors}
     ENVIRONMENT "${environment}")
+  string(REGEX REPLACE "^lammps\\.[^.]+\\." "lammps." key "${T_NAME}")
+  list(FIND COHESION_TEST_COSTS ${key} place)
+  if(NOT T_COST AND place GREATER -1)
+    math(EXPR place "${place} + 1")
+    list(GET COHESION_TEST_COSTS ${place} T_COST)
+  endif()
   if(T_COST)
     set_tests_properties(${T_NAME} PROPERTIES COST ${T_COST})
   endif()

@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "cohesion_model_base.h"
 #include "cohesive_pairs.h"
+#include "common/message.h"
 #include "contact_models.h"
 #include "contact_range.h"
 #include "encounter.h"
@@ -84,8 +85,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
   void postSettings(IContactHistorySetup* owner, ContactModelBase*) override {
     if (!Attraction::HAS_SAMPLED && scheme_ == Cohesion::SchemeChoice::sampled)
-      error->all(FLERR,
-                 (name() + " has no scheme sampled: use 'scheme exact', its default").c_str());
+      LAMMPS_NS::stop(lmp, FLERR, name(),
+                      " has no scheme sampled: use 'scheme exact', its default");
     if (scheme_ == Cohesion::SchemeChoice::none && !wall_)
       Cohesion::tell_of_restart_files(lmp, name());
     if (scheme_ != Cohesion::SchemeChoice::sampled)
@@ -96,7 +97,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void connectToProperties(PropertyRegistry& registry) override {
     if (!atom->sphere_flag)
-      error->all(FLERR, (name() + ": needs spheres, use atom_style granular").c_str());
+      LAMMPS_NS::stop(lmp, FLERR, name(), ": needs spheres, use atom_style granular");
     if (force->cg_active()) error->cg(FLERR, name().c_str());
     if (!normal_) make_probe();  // from a restart file, which keeps no settings
     normal_->connect(registry);

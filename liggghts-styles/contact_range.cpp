@@ -5,8 +5,8 @@
 
 #include <sstream>
 
+#include "common/message.h"
 #include "common/plausible_sizes.h"
-#include "error.h"
 #include "fix_wall_gran.h"
 #include "neighbor.h"
 #include "property_registry.h"
@@ -30,12 +30,10 @@ void require_range(LAMMPS* lmp, PropertyRegistry& registry, FixWallGran* wall,
   // serves until a particle has moved half the skin.
   const double widest = range.gap + range.ratio * registry.max_radius();
   if (!wall || wall->is_mesh_wall() || widest <= 0.5 * lmp->neighbor->skin) return;
-  std::ostringstream message;
-  message << model << ", fix wall/gran " << wall->id << ": " << range.source << " = " << widest
-          << " exceeds half the neighbor skin of " << lmp->neighbor->skin
-          << ", beyond which a primitive wall may miss particles; use 'neighbor " << 2.0 * widest
-          << " bin' or more";
-  lmp->error->all(FLERR, message.str().c_str());
+  LAMMPS_NS::stop(lmp, FLERR, model, ", fix wall/gran ", wall->id, ": ", range.source, " = ",
+                  widest, " exceeds half the neighbor skin of ", lmp->neighbor->skin,
+                  ", beyond which a primitive wall may miss particles; use 'neighbor ",
+                  2.0 * widest, " bin' or more");
 }
 
 }  // namespace Cohesion

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "common/guarded.h"
+#include "common/message.h"
 #include "contact_models.h"
 #include "domain.h"
-#include "error.h"
 #include "exact_contacts.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
@@ -74,10 +74,9 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, C
   accelerations_ =
       wall_ ? find_hidden_fix<FixAccelerations>(lmp_) : &hidden_fix<FixAccelerations>(lmp_);
   if (!accelerations_)
-    lmp_->error->all(FLERR, (who_ + ", scheme exact, fix wall/gran " + wall_->id +
-                             ": needs a pair_style gran of scheme exact, too; without attraction "
-                             "between particles, use it with a strength of 0 between them")
-                                .c_str());
+    LAMMPS_NS::stop(lmp_, FLERR, who_, ", scheme exact, fix wall/gran ", wall_->id,
+                    ": needs a pair_style gran of scheme exact, too; without attraction between "
+                    "particles, use it with a strength of 0 between them");
   auto& warnings = hidden_fix<FixContactAdvice>(lmp_);
   late_ = warnings.late_warning(who_ + seen_too_late);
   cut_short_ = warnings.late_warning(who_ + turned_too_often);

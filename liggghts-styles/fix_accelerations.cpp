@@ -10,7 +10,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "error.h"
+#include "common/message.h"
 #include "liggghts_api.h"
 #include "memory.h"
 #include "modify.h"
@@ -47,9 +47,9 @@ int FixAccelerations::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst:
 void FixAccelerations::init() {
   const std::string bodies = rigid_bodies(*modify);
   if (!bodies.empty())
-    error->all(FLERR, ("cohesion, scheme exact: resolves spheres that move each by itself, and " +
-                       bodies + " moves bodies of several: use 'scheme sampled'")
-                          .c_str());
+    LAMMPS_NS::stop(lmp, FLERR,
+                    "cohesion, scheme exact: resolves spheres that move each by itself, and ",
+                    bodies, " moves bodies of several: use 'scheme sampled'");
 }
 
 std::string FixAccelerations::rigid_bodies(const Modify& modify) {
@@ -162,9 +162,10 @@ void FixAccelerations::restart(char* buffer) {
   double layout = 0.0;
   std::memcpy(&layout, buffer, sizeof(double));
   if (layout != LAYOUT)
-    error->all(FLERR,
-               "cohesion, scheme exact: another version of the package wrote the restart file; use "
-               "'write_data' with that version and 'read_data' with this one");
+    LAMMPS_NS::stop(
+        lmp, FLERR,
+        "cohesion, scheme exact: another version of the package wrote the restart file; use "
+        "'write_data' with that version and 'read_data' with this one");
   std::memcpy(&forces_step_, buffer + sizeof(double), sizeof(double));
   std::memcpy(&clock_, buffer + 2 * sizeof(double), sizeof(double));
 }

@@ -10,6 +10,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/distinct_places.h"
+#include "common/message.h"
 #include "common/unmoved_spheres.h"
 #include "common/unturned_spheres.h"
 #include "error.h"
@@ -82,7 +83,7 @@ void FixContactAdvice::advise_if_due(bool setup) {
       for (const cohesion::advice::Warning& warning : said.report.warnings)
         error->warning(FLERR, named(warning.text, said.walls).c_str());
     }
-    if (!said.report.stop.empty()) error->all(FLERR, named(said.report.stop, said.walls).c_str());
+    if (!said.report.stop.empty()) LAMMPS_NS::stop(lmp, FLERR, named(said.report.stop, said.walls));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "cohesive_pairs.h"
 #include "comm.h"
 #include "common/energy_tally_of_runs.h"
+#include "common/message.h"
 #include "error.h"
 #include "fix_accelerations.h"
 #include "fix_wall_gran.h"
@@ -37,7 +38,7 @@ std::string has_none() {
 }
 
 [[noreturn]] void reject(LAMMPS* lmp, const std::string& why) {
-  lmp->error->all(FLERR, ("compute gran/energy: " + why).c_str());
+  LAMMPS_NS::stop(lmp, FLERR, "compute gran/energy: ", why);
   std::abort();  // not reached
 }
 

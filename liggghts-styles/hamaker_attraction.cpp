@@ -3,21 +3,15 @@
 
 #include <mpi.h>
 // The engine's header of properties wants mpi.h before it.
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-#include "atom.h"
 #include "common/message.h"
 #include "contact_solver/turning.h"
-#include "error.h"
-#include "fix.h"
 #include "global_properties.h"
 #include "hamaker/range_of_validity.h"
-#include "liggghts_api.h"
-#include "modify.h"
 #include "property_registry.h"
+#include "smallest_radii.h"
 #include "word_settings.h"
 
 namespace LIGGGHTS {
@@ -38,23 +32,6 @@ ScalarProperty* make_surface_cutoff(PropertyRegistry& registry, const char* call
 }
 ScalarProperty* make_outer_cutoff(PropertyRegistry& registry, const char* caller, bool) {
   return MODEL_PARAMS::createScalarProperty(registry, outer_property, caller);
-}
-
-/// By type, of all particles and of those still to be inserted, [length]; infinite: there are none.
-std::vector<double> smallest_radii(const LAMMPS_NS::LAMMPS* lmp) {
-  const LAMMPS_NS::Atom* const atom = lmp->atom;
-  std::vector<double> mine(atom->ntypes + 1, std::numeric_limits<double>::infinity());
-  const auto take = [&](int type, double radius) { mine[type] = std::min(mine[type], radius); };
-  for (int i = 0; i < atom->nlocal; i++) take(atom->type[i], atom->radius[i]);
-  for (int k = 0; k < lmp->modify->nfix; k++)
-    for (int type = 1; type <= atom->ntypes; type++) {
-      const double inserted = lmp->modify->fix[k]->min_rad(type);
-      if (inserted > 0.0) take(type, inserted);
-    }
-  std::vector<double> all(mine.size());
-  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
-                lmp->world);
-  return all;
 }
 
 }  // namespace
@@ -111,9 +88,8 @@ void HamakerAttraction::require_turns_as_touching() const {
         cohesion::contact_solver::require_turns_as_touching(adhesion(i, j, radii[i], radii[j]),
                                                             radii[i] + radii[j]);
       } catch (const cohesion::InvalidParameter& bad) {
-        lmp_->error->all(FLERR, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ", i,
-                                                   " and ", j, ": ", bad.what())
-                                    .c_str());
+        LAMMPS_NS::stop(lmp_, FLERR, "cohesion model ", MODEL, ", atom types ", i, " and ", j, ": ",
+                        bad.what());
       }
     }
 }

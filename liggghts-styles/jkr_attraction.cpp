@@ -10,9 +10,9 @@
 #include <variant>
 
 #include "advice/known_materials.h"
+#include "common/message.h"
 #include "common/plausible_sizes.h"
 #include "contact/contact_parameters.h"
-#include "error.h"
 #include "global_properties.h"
 #include "property_registry.h"
 #include "sphere.h"
@@ -45,10 +45,10 @@ cohesion::contact::NormalLaw jkr_law(const cohesion::contact::HertzSpringDashpot
 
 void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& normal) {
   if (normal.name() != "hertz")
-    lmp_->error->all(FLERR, ("cohesion model jkr: needs 'model hertz', whose elasticity and "
-                             "restitution its contact has; model " +
-                             normal.name() + " was given")
-                                .c_str());
+    LAMMPS_NS::stop(lmp_, FLERR,
+                    "cohesion model jkr: needs 'model hertz', whose elasticity and restitution its "
+                    "contact has; model ",
+                    normal.name(), " was given");
   registry.registerProperty(energy_property, &make_energy);
   double** energy = registry.getMatrixProperty(energy_property, asked_for_by)->data;
   const double largest = registry.max_radius();

@@ -6,12 +6,17 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "comm.h"
+#include "common/message.h"
 #include "contact_models.h"
+#include "error.h"
 #include "fix_mesh_surface.h"
 #include "global_properties.h"
+#include "liquid_bridge/range_of_validity.h"
 #include "mesh_contact.h"
 #include "property_registry.h"
 #include "sampled_contact/sampled_bridge.h"
+#include "smallest_radii.h"
 #include "update.h"
 
 namespace LIGGGHTS {
@@ -47,7 +52,7 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 
 LiquidBridgeAttraction::LiquidBridgeAttraction(LAMMPS* lmp, IContactHistorySetup* owner,
                                                FixWallGran* wall)
-    : lmp_(lmp) {
+    : lmp_(lmp), is_wall_(wall != nullptr) {
   // "0": the same seen from the other particle.
   offset_ = owner->add_history_value("bridged", "0");
   if (wall) owner->add_history_value("bridgeLastStep", "0");
@@ -56,6 +61,7 @@ LiquidBridgeAttraction::LiquidBridgeAttraction(LAMMPS* lmp, IContactHistorySetup
 void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalModelProbe&) {
   is_active_ = false;
   widest_gap_ = 0.0;
+  smallest_radii_ = smallest_radii(lmp_);
   if (is_liquid_)
     fill_with_liquid(registry);
   else
@@ -70,7 +76,7 @@ void LiquidBridgeAttraction::fill(PropertyRegistry& registry) {
       [&](int i, int j) {
         const cohesion::liquid_bridge::Parameters law{force[i][j], gap[i][j]};
         require_valid(law);
-        return added(law);
+        return added(law, i, j);
       },
       [&](int i, int j) {
         return shown(force_property, force[i][j]) + ", " + shown(gap_property, gap[i][j]);
@@ -84,7 +90,8 @@ void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        return added(cohesion::liquid_bridge::capillary(tension[i][j], angle[i][j], volume[i][j]));
+        return added(cohesion::liquid_bridge::capillary(tension[i][j], angle[i][j], volume[i][j]),
+                     i, j);
       },
       [&](int i, int j) {
         return shown(tension_property, tension[i][j]) + ", " + shown(angle_property, angle[i][j]) +
@@ -93,11 +100,26 @@ void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
 }
 
 cohesion::liquid_bridge::Parameters LiquidBridgeAttraction::added(
-    const cohesion::liquid_bridge::Parameters& law) {
+    const cohesion::liquid_bridge::Parameters& law, int itype, int jtype) {
   if (!law.attracts()) return law;
+  require_short(law, itype, jtype);
   is_active_ = true;
   widest_gap_ = std::max(widest_gap_, law.rupture_gap);
   return law;
+}
+
+/// The type of a wall may have no particles.
+void LiquidBridgeAttraction::require_short(const cohesion::liquid_bridge::Parameters& law,
+                                           int itype, int jtype) {
+  const double ri = smallest_radii_[itype], rj = smallest_radii_[jtype];
+  if (is_wall_ ? !std::isfinite(ri) : !std::isfinite(std::max(ri, rj))) return;
+  const double radius = is_wall_ ? ri : std::min(ri, rj);
+  cohesion::liquid_bridge::require_short(law, radius);
+  const std::string doubt = cohesion::liquid_bridge::doubt_of_volume(law, radius);
+  if (doubt.empty() || !warned_.insert(doubt).second || lmp_->comm->me != 0) return;
+  const std::string text = LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ", itype,
+                                              " and ", jtype, ": ", doubt);
+  lmp_->error->warning(FLERR, text.c_str());
 }
 
 ContactRange LiquidBridgeAttraction::range() const {

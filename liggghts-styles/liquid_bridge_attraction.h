@@ -3,7 +3,9 @@
 #define COHESION_LIQUID_BRIDGE_ATTRACTION_H
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "cohesion_defaults.h"
 #include "contact_range.h"
@@ -69,9 +71,14 @@ class LiquidBridgeAttraction : public CohesionDefaults {
   bool was_bridged(const Encounter& encounter) const;
   void fill(PropertyRegistry& registry);
   void fill_with_liquid(PropertyRegistry& registry);
-  cohesion::liquid_bridge::Parameters added(const cohesion::liquid_bridge::Parameters& law);
+  cohesion::liquid_bridge::Parameters added(const cohesion::liquid_bridge::Parameters& law,
+                                            int itype, int jtype);
+  void require_short(const cohesion::liquid_bridge::Parameters& law, int itype, int jtype);
 
   LAMMPS_NS::LAMMPS* lmp_;
+  bool is_wall_;
+  std::vector<double> smallest_radii_;  // by type
+  std::set<std::string> warned_;
   int offset_;  // of what is remembered in the history of a contact
   TableOfTypes<cohesion::liquid_bridge::Parameters> laws_;
   double widest_gap_ = 0.0;

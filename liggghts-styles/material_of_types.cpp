@@ -35,7 +35,7 @@ VectorProperty* make_modulus(PropertyRegistry& registry, const char* caller, boo
 void MaterialOfTypes::registerSettings(Settings& settings, bool linear_springs) {
   if (linear_springs) settings.registerOnOff("material_stiffness", has_stiffness_, false);
   settings.registerOnOff("material_modulus", has_modulus_, false);
-  register_keep(settings, who(), keep_);
+  register_keep(lmp_, settings, who(), keep_);
 }
 
 /// A restart file keeps no keywords of models.
@@ -58,20 +58,17 @@ void MaterialOfTypes::tell_of_unread(const char* property, const char* kind,
 /// One factor for a pair of types wants one spring for it.
 void MaterialOfTypes::require_spring(const NormalModelProbe& normal) const {
   if (!has_stiffness_ && !has_modulus_ && keep_ == advice::Keep::force)
-    lmp_->error->all(FLERR, (who() + ": material_keep force needs 'material_stiffness on' with fix "
-                                     "property/global materialStiffness, or with model hertz "
-                                     "'material_modulus on' with materialYoungsModulus")
-                                .c_str());
+    LAMMPS_NS::stop(lmp_, FLERR, who(),
+                    ": material_keep force needs 'material_stiffness on' with fix property/global "
+                    "materialStiffness, or with model hertz 'material_modulus on' with "
+                    "materialYoungsModulus");
   const auto require = [&](bool is_on, const char* keyword, const char* number) {
     if (!is_on || normal.material_keyword() == keyword) return;
-    lmp_->error->all(
-        FLERR,
-        LAMMPS_NS::message(who(), ", ", keyword, ": scales from the ", number,
-                           " of the material to that of the contact, and model ", normal.name(),
-                           " has no such number for two types: use 'material_stiffness on' with "
-                           "model hooke/stiffness, 'material_modulus on' with model hertz, or give "
-                           "the scaled properties of the adhesion")
-            .c_str());
+    LAMMPS_NS::stop(lmp_, FLERR, who(), ", ", keyword, ": scales from the ", number,
+                    " of the material to that of the contact, and model ", normal.name(),
+                    " has no such number for two types: use 'material_stiffness on' with model "
+                    "hooke/stiffness, 'material_modulus on' with model hertz, or give the scaled "
+                    "properties of the adhesion");
   };
   require(has_stiffness_, "material_stiffness", "stiffness");
   require(has_modulus_, "material_modulus", "modulus");

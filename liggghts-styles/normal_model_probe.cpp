@@ -9,9 +9,9 @@
 // clang-format on
 #include <cmath>
 
+#include "common/message.h"
 #include "contact_model_base.h"
 #include "contact_models.h"
-#include "error.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -61,7 +61,7 @@ NormalModelProbe::NormalModelProbe(LAMMPS* lmp, const std::function<bool(const c
     model_ = known.maker(lmp, quiet_.get(), quiet_.get());
   }
   if (!model_)
-    lmp->error->all(FLERR,
+    LAMMPS_NS::stop(lmp, FLERR,
                     "cohesion: the normal model of this contact stands in "
                     "model-lists/style_normal_model.h, but not among known_models in "
                     "liggghts-styles/normal_model_probe.cpp: add it there");

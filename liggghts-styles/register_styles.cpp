@@ -20,9 +20,9 @@
 #include "common/fix_deform_shear.h"
 #include "common/fix_drive.h"
 #include "common/fix_gas_coupling.h"
+#include "common/message.h"
 #include "compute_gran_energy.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_accelerations.h"
 #include "fix_contact_advice.h"
 #include "fix_energy_tally.h"
@@ -103,7 +103,7 @@ __attribute__((visibility("default"))) void LAMMPS::post_create() {
   static const auto engine_own =
       reinterpret_cast<PostCreate>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
   if (!engine_own)
-    error->all(FLERR, "the library of the cohesion package must come before libliggghts");
+    stop(this, FLERR, "the library of the cohesion package must come before libliggghts");
   engine_own(this);
   LIGGGHTS::Cohesion::register_styles(this);
 }

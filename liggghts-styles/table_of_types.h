@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "error.h"
+#include "common/message.h"
 #include "lammps.h"
 #include "validation.h"
 
@@ -29,10 +29,8 @@ class TableOfTypes {
       for (int j = 1; j <= types; j++) try {
           entries_.push_back(make(i, j));
         } catch (const cohesion::InvalidParameter& bad) {
-          std::ostringstream message;
-          message << "cohesion model " << model << ", atom types " << i << " and " << j << ": "
-                  << bad.what() << " (fix property/global " << given(i, j) << ")";
-          lmp->error->all(FLERR, message.str().c_str());
+          LAMMPS_NS::stop(lmp, FLERR, "cohesion model ", model, ", atom types ", i, " and ", j,
+                          ": ", bad.what(), " (fix property/global ", given(i, j), ")");
         }
   }
 

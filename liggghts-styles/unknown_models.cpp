@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "cohesive_pairs.h"
+#include "common/message.h"
 #include "contact_models.h"
-#include "error.h"
 #include "granular_pair_style.h"
 #include "granular_wall.h"
 
@@ -203,7 +203,7 @@ struct Named {
     return wrong.empty() ? hash : ANY;
   }
   static Style* create(LAMMPS* lmp, typename Style::ParentType* parent, int64_t hash) {
-    if (!wrong.empty()) lmp->error->all(FLERR, wrong.c_str());
+    if (!wrong.empty()) LAMMPS_NS::stop(lmp, FLERR, wrong);
     // A restart file has no words.
     known_cohesion_words()[parent] = std::exchange(cohesion_word, "");
     return engine_create(lmp, parent, hash);

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "common/former_words.h"
+#include "common/message.h"
 #include "contact_models.h"
-#include "error.h"
 #include "liggghts_api.h"
 #include "modify.h"
 #include "named_table.h"
@@ -21,37 +21,50 @@ namespace {
 
 using Table = std::map<std::string, Setting*>;
 
+/// A keyword of a cohesion model, the value of which is a word. A wrong one stops the engine here:
+/// what the engine prints of a Setting's error_message may be followed by a jest (liggghts_api.h).
+class WordSetting : public Setting {
+ public:
+  WordSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, const std::string& keyword,
+              int values)
+      : Setting(keyword, values), lmp_(lmp), model_(model) {}
+
+  void print_value(FILE*) override {}
+
+ protected:
+  const LAMMPS_NS::LAMMPS* lmp_;
+  std::string model_;
+};
+
 /// A keyword that is the last word of its line. The engine's settings read a value behind each
 /// keyword and are passed no count.
-class LastWord : public Setting {
+class LastWord : public WordSetting {
  public:
   /// Its name is the first of any table: it sees each word before the others.
   static constexpr const char* NAME = "";
 
-  LastWord(const std::string& model, const Table& table)
-      : Setting(NAME, 0), model_(model), table_(table) {}
+  LastWord(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, const Table& table)
+      : WordSetting(lmp, model, NAME, 0), table_(table) {}
 
   int parseArguments(char** args) override {
     if (args + 1 != end_of_words()) return 0;
     const auto found = table_.find(args[0]);
     if (found == table_.end() || found->second->num_params == 0) return 0;
-    error_message = model_ + ": keyword '" + found->first + "' needs a value behind it" +
-                    (found->first == "scheme" ? ", exact or sampled" : "");
+    LAMMPS_NS::stop(lmp_, FLERR, model_, ": keyword '", found->first, "' needs a value behind it",
+                    found->first == "scheme" ? ", exact or sampled" : "");
     return -1;
   }
-  void print_value(FILE*) override {}
 
  private:
-  std::string model_;
   const Table& table_;
 };
 
-class SchemeSetting : public Setting {
+class SchemeSetting : public WordSetting {
  public:
   SchemeSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, SchemeChoice& choice)
-      : Setting("scheme", 1), lmp_(lmp), model_(model), choice_(choice) {}
+      : WordSetting(lmp, model, "scheme", 1), choice_(choice) {}
 
-  /// Number of words taken; -1 with an error_message.
+  /// Number of words taken.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
     const std::string scheme = LAMMPS_NS::current_word(lmp_, model_, name, args[1]);
@@ -59,7 +72,7 @@ class SchemeSetting : public Setting {
       choice_ = scheme == "exact" ? SchemeChoice::exact : SchemeChoice::sampled;
       return 2;
     }
-    error_message = model_ + ", scheme " + scheme + ": must be exact or sampled";
+    LAMMPS_NS::stop(lmp_, FLERR, model_, ", scheme ", scheme, ": must be exact or sampled");
     return -1;
   }
   void print_value(FILE* out) override {
@@ -67,45 +80,39 @@ class SchemeSetting : public Setting {
   }
 
  private:
-  const LAMMPS_NS::LAMMPS* lmp_;
-  std::string model_;
   SchemeChoice& choice_;
 };
 
 /// A word that stands where only keywords may, and says where these belong: the engine would blame
 /// the word.
-class MisplacedSetting : public Setting {
+class MisplacedSetting : public WordSetting {
  public:
-  MisplacedSetting(const std::string& model, const std::string& word)
-      : Setting(word, 0), model_(model) {}
+  MisplacedSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, const std::string& word)
+      : WordSetting(lmp, model, word, 0) {}
 
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
-    error_message = model_ + ": '" + name +
+    LAMMPS_NS::stop(lmp_, FLERR, model_, ": '", name,
                     "' stands behind a keyword as 'scheme', and keywords come last: behind all "
                     "models and, in fix wall/gran, behind 'primitive ...' or 'mesh ...', as in "
                     "'fix ID all wall/gran model hooke/stiffness tangential history cohesion "
-                    "hamaker primitive type 1 zplane 0.0 scheme exact'";
+                    "hamaker primitive type 1 zplane 0.0 scheme exact'");
     return -1;
   }
-  void print_value(FILE*) override {}
-
- private:
-  std::string model_;
 };
 
-class KeepSetting : public Setting {
+class KeepSetting : public WordSetting {
  public:
-  KeepSetting(const std::string& model, cohesion::advice::Keep& keep)
-      : Setting("material_keep", 1), model_(model), keep_(keep) {}
+  KeepSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, cohesion::advice::Keep& keep)
+      : WordSetting(lmp, model, "material_keep", 1), keep_(keep) {}
 
-  /// Number of words taken; -1 with an error_message.
+  /// Number of words taken.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
     try {
       keep_ = cohesion::find_by_name(cohesion::advice::keeps, name, args[1]).keep;
     } catch (const cohesion::InvalidParameter& bad) {
-      error_message = model_ + ": " + bad.what();
+      LAMMPS_NS::stop(lmp_, FLERR, model_, ": ", bad.what());
       return -1;
     }
     return 2;
@@ -116,7 +123,6 @@ class KeepSetting : public Setting {
   }
 
  private:
-  std::string model_;
   cohesion::advice::Keep& keep_;
 };
 
@@ -134,11 +140,11 @@ template struct TableOfSettings<&Settings::settings>;
 void register_scheme(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
                      SchemeChoice& choice) {
   Table& table = table_of(settings);  // settings owns its rows
-  table[LastWord::NAME] = new LastWord(model, table);
+  table[LastWord::NAME] = new LastWord(lmp, model, table);
   table["scheme"] = new SchemeSetting(lmp, model, choice);
   for (const char* const word :
        {"primitive", "mesh", "model", "tangential", "cohesion", "rolling_friction", "surface"})
-    table[word] = new MisplacedSetting(model, word);
+    table[word] = new MisplacedSetting(lmp, model, word);
 }
 
 SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
@@ -154,10 +160,9 @@ SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
     return SchemeChoice::exact;
   }
   if (specified == SchemeChoice::exact || !has_sampled)
-    lmp->error->all(FLERR, (model + ", scheme exact: " + obstacle +
-                            (has_sampled ? ": use 'scheme sampled', or leave that out"
-                                         : ": leave that out; the model has no other scheme"))
-                               .c_str());
+    LAMMPS_NS::stop(lmp, FLERR, model, ", scheme exact: ", obstacle,
+                    has_sampled ? ": use 'scheme sampled', or leave that out"
+                                : ": leave that out; the model has no other scheme");
   print("scheme sampled by default: " + obstacle);
   return SchemeChoice::sampled;
 }
@@ -170,8 +175,9 @@ void tell_of_restart_files(LAMMPS_NS::LAMMPS* lmp, const std::string& model) {
                                          "wrote the file\n");
 }
 
-void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {
-  table_of(settings)["material_keep"] = new KeepSetting(model, keep);
+void register_keep(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
+                   cohesion::advice::Keep& keep) {
+  table_of(settings)["material_keep"] = new KeepSetting(lmp, model, keep);
 }
 
 }  // namespace Cohesion

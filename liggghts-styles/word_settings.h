@@ -37,7 +37,8 @@ SchemeChoice scheme_of(LAMMPS_NS::LAMMPS* lmp, const std::string& model,
 void tell_of_restart_files(LAMMPS_NS::LAMMPS* lmp, const std::string& model);
 
 /// Adds the keyword `material_keep`, whose value goes to `keep`. `settings` must not outlive it.
-void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep);
+void register_keep(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
+                   cohesion::advice::Keep& keep);
 
 }  // namespace Cohesion
 }  // namespace LIGGGHTS

@@ -79,7 +79,7 @@ void FixWallHamaker::read(int narg, char** arg) {
     const auto row = std::find_if(keywords.begin(), keywords.end(),
                                   [&](const auto& k) { return word == k.name; });
     if (row != keywords.end()) {
-      const int stop = std::min(i + 1 + row->values, count);
+      const int stop = std::min(i + 1 + row->values(), count);
       read_keywords(lmp, where, keywords, i, stop, words, p, given_words);
       i = stop;
     } else if (word == "form") {

@@ -212,12 +212,12 @@ void PairHamaker::settings(int narg, char** arg) {
     const hamaker::Form* form = hamaker::forms.data();
   };
   static const std::vector<ContactKeyword<Settings>> keywords{
-      {"cutoff", 2,
+      {"cutoff", "H_cut H_out",
        [](Settings& s, const double* v) {
          s.surface_cutoff = v[0];
          s.outer_cutoff = v[1];
        }},
-      {"form", 1, nullptr, [](Settings& s, const char* name, const double*) {
+      {"form", "name", nullptr, [](Settings& s, const char* name, const double*) {
          s.form = &cohesion::find_by_name(hamaker::forms, "form", name);
        }}};
   const std::string where = "pair_style hamaker";

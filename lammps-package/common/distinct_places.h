@@ -6,8 +6,8 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/engine_api.h"
 #include "common/message.h"
-#include "error.h"
 #include "neigh_list.h"
 #include "vector3.h"
 
@@ -22,8 +22,8 @@ inline void refuse_one_place(const LAMMPS* lmp, const std::string& where, int i,
               x[0], ", ", x[1], ", ", x[2],
               "), where a contact has no direction: move one of them, or remove it, for "
               "instance by 'delete_atoms overlap'");
-  if (lmp->comm->nprocs == 1) lmp->error->all(FLERR, text.c_str());
-  lmp->error->one(FLERR, text.c_str());
+  if (lmp->comm->nprocs == 1) engine_api::error_of_all(lmp, FLERR, text);
+  engine_api::error_of_one(lmp, FLERR, text);
 }
 
 /// That all pairs meet.

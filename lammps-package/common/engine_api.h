@@ -11,12 +11,14 @@
 #include "liggghts_api.h"
 #else
 
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
+#include "error.h"
 #include "fix.h"
 #include "fix_deform.h"
 #include "irregular.h"
@@ -73,6 +75,13 @@ inline int inumeric(const char* file, int line, char* word, LAMMPS* lmp) {
 /// Rank 0 shows it and writes it to the log.
 inline void tell(LAMMPS* lmp, const std::string& message) {
   if (lmp->comm->me == 0) utils::logmesg(lmp, message);
+}
+/// The engine's error, of all ranks or of one, which ends the run.
+inline void error_of_all(const LAMMPS* lmp, const char* file, int line, const std::string& text) {
+  lmp->error->all(file, line, text);
+}
+inline void error_of_one(const LAMMPS* lmp, const char* file, int line, const std::string& text) {
+  lmp->error->one(file, line, text);
 }
 inline bool writes_restart(Output* output, bigint step) { return output->next_restart == step; }
 

@@ -26,7 +26,7 @@ using cohesion::liquid::LiquidOnParticle;
 
 FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg), rows(nullptr), liquid_rows(nullptr) {
-  if (narg != 3) error->all(FLERR, "fix gas/coupling takes no values: 'fix ID group gas/coupling'");
+  if (narg != 3) stop(lmp, FLERR, "fix gas/coupling takes no values: 'fix ID group gas/coupling'");
   peratom_flag = 1;
   size_peratom_cols = GasOnParticle::size;
   peratom_freq = 1;
@@ -56,9 +56,9 @@ int FixGasCoupling::setmask() { return POST_FORCE; }
 
 void FixGasCoupling::init() {
   if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR,
-               "fix gas/coupling acts on spheres and needs an atom style with radii and "
-               "masses, for instance 'atom_style sphere'");
+    stop(lmp, FLERR,
+         "fix gas/coupling acts on spheres and needs an atom style with radii and "
+         "masses, for instance 'atom_style sphere'");
   require_mechanical_units(lmp, message("fix ", id, " gas/coupling"));
   const std::string fixes = unseen_fixes();
   if (!fixes.empty() && comm->me == 0)

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "error.h"
+#include "common/engine_api.h"
 #include "lammps.h"
 
 namespace LAMMPS_NS {
@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 template <class Work>
 auto guarded(LAMMPS* lmp, const std::string& where, Work work) {
   const auto stop = [&](const char* what) {
-    lmp->error->one(FLERR, (where + ": " + what).c_str());
+    engine_api::error_of_one(lmp, FLERR, where + ": " + what);
   };
   try {
     return work();

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "error.h"
+#include "common/engine_api.h"
 #include "lammps.h"
 
 // Messages of styles that are built for LAMMPS and for LIGGGHTS, which does not put numbers into
@@ -25,7 +25,7 @@ std::string message(const Parts&... parts) {
 /// Ends the run on all ranks, which must all call it: stop(lmp, FLERR, parts...).
 template <class... Parts>
 void stop(const LAMMPS* lmp, const char* file, int line, const Parts&... parts) {
-  lmp->error->all(file, line, message(parts...).c_str());
+  engine_api::error_of_all(lmp, file, line, message(parts...));
 }
 
 }  // namespace LAMMPS_NS

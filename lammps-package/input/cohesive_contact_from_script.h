@@ -10,9 +10,9 @@
 #include "common/given_keywords.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
+#include "input/keyword_values.h"
 #include "input/law_from_script.h"
 #include "lammps.h"
-#include "utils.h"
 
 // What scripts say about cohesive contacts, whatever the cohesion. `Cohesion` is one of
 // cohesion_laws.h; its Parameters have a member `contact`, the contact
@@ -49,11 +49,14 @@ void set_normal_law(cohesion::contact::ContactParameters&, const char* law, cons
 template <class Parameters>
 struct ContactKeyword {
   const char* name;
-  int values;  ///< at most 3
+  const char* usage;  ///< the names of its values, at most 3
   /// Throws InvalidParameter for values that it cannot take.
   void (*set)(Parameters&, const double*);
   /// In place of set() where the first value is a word; throws alike.
   void (*set_named)(Parameters&, const char* word, const double*) = nullptr;
+
+  int words() const { return set_named ? 1 : 0; }
+  int values() const { return static_cast<int>(value_names(usage).size()); }
 };
 
 /// The keywords of a contact, `stiffness K | normal hertz E nu [restitution e | damping eta]
@@ -65,16 +68,17 @@ const auto& contact_keywords() {
   using Keyword = ContactKeyword<P>;
   static const std::vector<Keyword> all = [] {
     std::vector<Keyword> rows{
-        {"stiffness", 1, [](P& p, const double* v) { p.contact.stiffness = v[0]; }},
-        {"normal", 3, nullptr,
+        {"stiffness", "K", [](P& p, const double* v) { p.contact.stiffness = v[0]; }},
+        {"normal", "hertz E nu", nullptr,
          [](P& p, const char* law, const double* v) { set_normal_law(p.contact, law, v); }},
-        {"restitution", 1, [](P& p, const double* v) { p.contact.restitution = v[0]; }},
-        {"damping", 1, [](P& p, const double* v) { p.contact.damping = v[0]; }},
-        {"tangential", 1, [](P& p, const double* v) { p.contact.tangential_ratio = v[0]; }},
-        {"tangential_damping", 1,
+        {"restitution", "e", [](P& p, const double* v) { p.contact.restitution = v[0]; }},
+        {"damping", "eta", [](P& p, const double* v) { p.contact.damping = v[0]; }},
+        {"tangential", "ratio", [](P& p, const double* v) { p.contact.tangential_ratio = v[0]; }},
+        {"tangential_damping", "ratio",
          [](P& p, const double* v) { p.contact.tangential_damping_ratio = v[0]; }},
-        {"friction", 1, [](P& p, const double* v) { p.contact.friction = v[0]; }},
-        {"rolling_friction", 1, [](P& p, const double* v) { p.contact.rolling_friction = v[0]; }},
+        {"friction", "mu", [](P& p, const double* v) { p.contact.friction = v[0]; }},
+        {"rolling_friction", "mu_R",
+         [](P& p, const double* v) { p.contact.rolling_friction = v[0]; }},
     };
     const auto own = Cohesion::keywords();
     rows.insert(rows.end(), own.begin(), own.end());
@@ -83,11 +87,16 @@ const auto& contact_keywords() {
   return all;
 }
 
-/// How many values a keyword of the contact takes; -1 when there is none called so.
+/// How many values the keyword arg[at] of the contact has, which are there; -1 when there is none
+/// called so. Stops LAMMPS as read_values().
 template <class Cohesion>
-int values_of_contact_keyword(const std::string& name) {
-  for (const auto& keyword : contact_keywords<Cohesion>())
-    if (name == keyword.name) return keyword.values;
+int values_of_contact_keyword(LAMMPS* lmp, const std::string& where, int at, int narg, char** arg) {
+  for (const auto& keyword : contact_keywords<Cohesion>()) {
+    if (std::string(arg[at]) != keyword.name) continue;
+    double values[3];
+    read_values(lmp, where, keyword.usage, keyword.words(), at, narg, arg, values);
+    return keyword.values();
+  }
   return -1;
 }
 
@@ -115,18 +124,13 @@ void read_keywords(LAMMPS* lmp, const std::string& where, const Keywords& keywor
   for (int i = first; i < narg;) {
     const auto& keyword = *from_script(
         lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
-    if (i + keyword.values >= narg)
-      lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
-                                 std::to_string(keyword.values) + " value(s)");
-    given.note(keyword.values, arg + i);
-    const int words = keyword.set_named ? 1 : 0;
-    double values[2] = {0.0, 0.0};
-    for (int k = words; k < keyword.values; k++)
-      values[k - words] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
+    double values[3] = {0.0, 0.0, 0.0};
+    read_values(lmp, where, keyword.usage, keyword.words(), i, narg, arg, values);
+    given.note(keyword.values(), arg + i);
     from_script(lmp, where, [&] {
-      return words ? keyword.set_named(p, arg[i + 1], values) : keyword.set(p, values);
+      return keyword.words() ? keyword.set_named(p, arg[i + 1], values) : keyword.set(p, values);
     });
-    i += 1 + keyword.values;
+    i += 1 + keyword.values();
   }
 }
 

@@ -18,14 +18,14 @@ inline cohesion::hamaker::Parameters& itself(cohesion::hamaker::Parameters& p) {
 template <class P = cohesion::hamaker::Parameters,
           cohesion::hamaker::Parameters& (*law)(P&) = &itself>
 std::vector<ContactKeyword<P>> hamaker_keywords() {
-  return {{"hamaker", 1, [](P& p, const double* v) { law(p).hamaker_constant = v[0]; }},
-          {"cutoff", 2,
+  return {{"hamaker", "A", [](P& p, const double* v) { law(p).hamaker_constant = v[0]; }},
+          {"cutoff", "H_cut H_out",
            [](P& p, const double* v) {
              law(p).surface_cutoff = v[0];
              law(p).outer_cutoff = v[1];
            }},
-          {"asperity", 1, [](P& p, const double* v) { law(p).asperity_radius = v[0]; }},
-          {"roughness", 2, [](P& p, const double* v) {
+          {"asperity", "r_a", [](P& p, const double* v) { law(p).asperity_radius = v[0]; }},
+          {"roughness", "rms lambda", [](P& p, const double* v) {
              const auto asperity = cohesion::hamaker::asperity_of({v[0], v[1]});
              law(p).asperity_radius = asperity.radius;
              law(p).asperity_height = asperity.height;

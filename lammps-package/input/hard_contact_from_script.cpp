@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "input/hard_contact_from_script.h"
 
+#include "input/keyword_values.h"
 #include "input/law_from_script.h"
-#include "utils.h"
 
 using namespace LAMMPS_NS;
 
@@ -11,17 +11,16 @@ int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, 
   const std::string word = arg[at];
   const bool well = word == "well";
   if (!well && word != "restitution" && word != "friction") return 0;
-  if (at + 1 + well >= narg)
-    lmp->error->all(FLERR, where + ": " + word +
-                               (well ? " takes a depth and a ratio r_out/r" : " takes a number"));
+  double number[2] = {0.0, 0.0};
+  const char* const usage = well ? "D ratio" : word == "friction" ? "mu" : "e";
+  read_values(lmp, where, usage, 0, at, narg, arg, number);
   given.note(1 + well, arg + at);
-  const auto number = [&](int n) { return utils::numeric(FLERR, arg[at + n], false, lmp); };
   if (word == "restitution") {
-    c.restitution = number(1);
+    c.restitution = number[0];
   } else if (word == "friction") {
-    c.friction = number(1);
+    c.friction = number[0];
   } else {
-    c.well = cohesion::square_well::well(number(1), number(2));
+    c.well = cohesion::square_well::well(number[0], number[1]);
     c.well_given = true;
   }
   return 2 + well;

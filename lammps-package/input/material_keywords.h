@@ -15,14 +15,14 @@ namespace LAMMPS_NS {
 template <class P, cohesion::advice::Material& (*material)(P&)>
 std::vector<ContactKeyword<P>> material_keywords(bool linear_springs) {
   std::vector<ContactKeyword<P>> rows{
-      {"material_modulus", 2,
+      {"material_modulus", "E_m nu_m",
        [](P& p, const double* v) { cohesion::advice::set_hertz(material(p), v[0], v[1]); }},
-      {"material_keep", 1, nullptr, [](P& p, const char* word, const double*) {
+      {"material_keep", "name", nullptr, [](P& p, const char* word, const double*) {
          material(p).keep =
              cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
        }}};
   if (linear_springs)
-    rows.insert(rows.begin(), {"material_stiffness", 1,
+    rows.insert(rows.begin(), {"material_stiffness", "K_m",
                                [](P& p, const double* v) { material(p).stiffness = v[0]; }});
   return rows;
 }

@@ -2,7 +2,6 @@
 #ifndef COHESION_WORDS_OF_LAW_H
 #define COHESION_WORDS_OF_LAW_H
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -48,13 +47,6 @@ class WordsOfLaw {
   char** get() { return pointers_.data(); }
 
  private:
-  /// What the engine takes for one, and what only looks so and is refused as such.
-  static bool is_number(const char* word) {
-    char* end = nullptr;
-    std::strtod(word, &end);
-    return end != word && *end == '\0';
-  }
-
   bool by_place_;
   std::vector<std::string> words_;
   std::vector<char*> pointers_;

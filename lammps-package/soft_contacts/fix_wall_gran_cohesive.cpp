@@ -76,12 +76,11 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
     const int left = narg - iarg - 1;
-    const int values = values_of_contact_keyword<Cohesion>(word);
+    const int values = values_of_contact_keyword<Cohesion>(lmp, where, iarg, narg, arg);
     if (values >= 0) {
       has_adhesion_word = has_adhesion_word || word == Cohesion::ADHESION;
-      const int stop = std::min(iarg + 1 + values, narg);
-      contact_words.insert(contact_words.end(), arg + iarg, arg + stop);
-      iarg = stop;
+      contact_words.insert(contact_words.end(), arg + iarg, arg + iarg + 1 + values);
+      iarg += 1 + values;
     } else if (word == "scheme" || is_setting<Cohesion>(word)) {
       if (left < 1) error->all(FLERR, where + ": " + word + " takes a name");
       given.note(1, arg + iarg);

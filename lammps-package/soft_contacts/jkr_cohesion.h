@@ -35,7 +35,7 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
     auto rows = material_keywords<Parameters, &material_of>(false);
-    rows.push_back({"surface_energy", 1, [](Parameters& p, const double* v) {
+    rows.push_back({"surface_energy", "gamma", [](Parameters& p, const double* v) {
                       cohesion::contact::set_surface_energy(p.contact, v[0]);
                     }});
     return rows;

@@ -2,11 +2,14 @@
 #ifndef COHESION_LIQUID_BRIDGE_COHESION_H
 #define COHESION_LIQUID_BRIDGE_COHESION_H
 
+#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "comm.h"
 #include "contact_solver/liquid_bridge_solver.h"
-#include "liquid_bridge/parameters.h"
+#include "liquid_bridge/range_of_validity.h"
 #include "sampled_contact/sampled_bridge.h"
 #include "soft_contacts/cohesion_law.h"
 
@@ -23,8 +26,8 @@ class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Paramet
   using Sampled = cohesion::sampled_contact::SampledBridge;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
-    return {{"bridge", 2, [](Parameters& p, const double* v) { p.law = {v[0], v[1]}; }},
-            {"capillary", 3, [](Parameters& p, const double* v) {
+    return {{"bridge", "F_b h_r", [](Parameters& p, const double* v) { p.law = {v[0], v[1]}; }},
+            {"capillary", "gamma theta V", [](Parameters& p, const double* v) {
                p.law = cohesion::liquid_bridge::capillary(v[0], v[1], v[2]);
              }}};
   }
@@ -36,6 +39,24 @@ class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Paramet
                                  "liquid ('capillary'), not both");
     CohesionLaw::require_valid(lmp, where, p, given);
   }
+  /// Warns, once, of a volume that is too large for the force.
+  void require_short(LAMMPS* lmp, const std::string& where, const Parameters& p, double radius_i,
+                     double radius_j) const {
+    if (radius_i == 0.0 || radius_j == 0.0) return;  // no particles yet
+    const double radius = std::min(radius_i, radius_j);
+    try {
+      cohesion::liquid_bridge::require_short(p.law, radius);
+    } catch (const cohesion::InvalidParameter& bad) {
+      stop(lmp, FLERR, where, ": ", bad.what(), units_of_lengths(lmp));
+    }
+    const std::string doubt = cohesion::liquid_bridge::doubt_of_volume(p.law, radius);
+    if (doubt.empty()) return;
+    const std::string text = where + ": " + doubt + units_of_lengths(lmp);
+    if (warned_.insert(text).second && lmp->comm->me == 0) lmp->error->warning(FLERR, text);
+  }
+
+ private:
+  mutable std::set<std::string> warned_;
 };
 
 }  // namespace LAMMPS_NS

@@ -24,7 +24,7 @@ class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters>
   using Sampled = cohesion::sampled_contact::SampledWell;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
-    return {{"well", 2, [](Parameters& p, const double* v) {
+    return {{"well", "D ratio", [](Parameters& p, const double* v) {
                p.law = cohesion::square_well::well(v[0], v[1]);
              }}};
   }

@@ -99,10 +99,10 @@ class BadInput(ScriptTestCase):
 
     # What else is missing or wrong
     def test_pair_arguments(self):
-        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10\n", "'cutoff' takes 2 value")
+        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10\n", "needs 'cutoff H_cut H_out': H_out is missing")
         self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff * *\n", "i j hamaker A")
         self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff * * hamaker 1e-19 cutoff 4e-10\n",
-                   "'cutoff' takes 2 value")
+                   "needs 'cutoff H_cut H_out': H_out is missing")
 
     def test_no_coefficients_to_mix(self):
         self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff 1 1 hamaker 1e-19\n" + TAIL)

@@ -50,7 +50,7 @@ timestep 1e-7
         self.refused("stiffness 800 hamaker 1e-19 xplane 0 NULL", "cutoff H_cut H_out")
         self.refused("stiffness 800 xplane 0 NULL form flat", "unknown form 'flat'", "exact")
         self.refused("stiffness 800 xplane 0 NULL form", "form takes a name")
-        self.refused("xplane 0 NULL stiffness", "keyword 'stiffness' takes 1 value")
+        self.refused("xplane 0 NULL stiffness", "keyword 'stiffness' needs 'stiffness K': K is missing")
 
     def test_walls(self):
         self.refused("stiffness 800 xplane 0.01 0", "xplane 0.01 0", "below")

@@ -52,7 +52,7 @@ class Input(ScriptTestCase):
                 (CONTACT + " asperity 1e-8 roughness 5e-9 5e-7", ("'asperity'", "'roughness'", "not both")),
                 (CONTACT + " roughness 1e-9 1e-8", ("wavelength of the roughness = 1e-08", "at least 10.2785 times")),
                 (CONTACT + " roughness 5e-9 5e-7 material_stiffness 80000", ("without asperities",)),
-                ("stiffness 800 cutoff 4e-10", ("takes 2",))):
+                ("stiffness 800 cutoff 4e-10", ("needs 'cutoff H_cut H_out': H_out is missing",))):
             with self.subTest(words):
                 self.stops(script(style + words), *expected)
 

@@ -17,7 +17,8 @@ class Input(Scene):
         for text, expected in (
                 ("pair_style gran/squarewell form exact", ("form", "valid ones: scheme")),
                 (style + "stiffness 800 hamaker 1e-19", ("hamaker", "well")),
-                (style + "stiffness 800 well 1e-11", ("well", "takes 2")),
+                (style + "stiffness 800 well 1e-11", ("needs 'well D ratio': ratio is missing",)),
+                (style + "well 1e-11 stiffness 800", ("'stiffness' stands in the place of ratio",)),
                 (style + "stiffness 800 well -1e-11 1.1", ("depth D", "-1e-11")),
                 (style + "stiffness 800 well 1e-11 0.9", ("ratio r_out/r", "0.9", "below 1")),
                 (style + "stiffness 800 well nan 1.1", ("nan",)),

@@ -146,7 +146,7 @@ class Overlay(Gas):
     def test_input(self):
         for text, expected in (
                 ("squarewell scheme exact\npair_coeff * * well 1e-11 1.1", ("no keywords", "scheme")),
-                ("squarewell\npair_coeff * * well 1e-11", ("well", "takes 2")),
+                ("squarewell\npair_coeff * * well 1e-11", ("needs 'well D ratio': ratio is missing",)),
                 ("squarewell\npair_coeff * * D 1e-11", ("'D'", "well")),
                 ("squarewell\npair_coeff * * well 1e-11 0.9", ("ratio r_out/r", "0.9")),
                 ("squarewell\npair_coeff * * well 1e-11 1.1 3", ("'3'",))):

@@ -50,14 +50,14 @@ class HamakerKeywords(ScriptTestCase):
                    "hamaker, cutoff, asperity, roughness")
 
     def test_missing_value(self):
-        self.stops(PAIR + "form\n", "pair_style hamaker", "'form' takes 1 value")
-        self.stops(COEFF + "asperity\n", "pair_coeff 1 2 of hamaker", "'asperity' takes 1 value")
-        self.stops(COEFF + "cutoff 4e-10\n", "pair_coeff 1 2 of hamaker", "'cutoff' takes 2 value")
+        self.stops(PAIR + "form\n", "pair_style hamaker", "needs 'form name': name is missing")
+        self.stops(COEFF + "asperity\n", "pair_coeff 1 2 of hamaker", "needs 'asperity r_a': r_a is missing")
+        self.stops(COEFF + "cutoff 4e-10\n", "pair_coeff 1 2 of hamaker", "needs 'cutoff H_cut H_out': H_out is missing")
         self.stops(scene.SPHERES + "pair_style hamaker\npair_coeff 1 2 hamaker 1e-19\n", "cutoff H_cut H_out",
                    "or in pair_style")
         self.stops(COEFF.replace("hamaker 1e-19", "asperity 0"), "needs 'hamaker A'")
         self.stops(WALL + "xplane 0 NULL form\n", "form takes a name")
-        self.stops(WALL + "xplane 0 NULL asperity\n", "'asperity' takes 1 value")
+        self.stops(WALL + "xplane 0 NULL asperity\n", "needs 'asperity r_a': r_a is missing")
         self.stops(WALL + "form exact asperity 1e-8\n", "at least one plane")
 
     def test_asperity_radius(self):
@@ -75,7 +75,7 @@ class HamakerKeywords(ScriptTestCase):
                 ("-1e-9 5e-7", ("rms roughness = -1e-09", "not below zero")),
                 ("1e-9 0", ("wavelength of the roughness = 0", "greater than zero")),
                 ("1e-9 1e-8", ("wavelength of the roughness = 1e-08", "at least 10.2785 times the rms of 1e-09")),
-                ("1e-9", ("'roughness' takes 2 value",)),
+                ("1e-9", ("needs 'roughness rms lambda': lambda is missing",)),
                 ("5e-9 5e-7 asperity 1e-8", ("'asperity'", "'roughness'", "not both"))):
             with self.subTest(values):
                 self.stops(COEFF + f"roughness {values}\n", "pair_coeff 1 2 of hamaker", *words)

@@ -41,7 +41,7 @@ class Input(ScriptTestCase):
                 ("restitution nan", ("nan",)),
                 ("friction 0.3", ("give 'restitution e'",)),
                 ("restitution 1 friction -1", ("friction mu = -1",)),
-                ("restitution 1 well 1", ("takes a depth and a ratio",)),
+                ("restitution 1 well 1", ("needs 'well D ratio': ratio is missing",)),
                 ("restitution 1 well -1 1.1", ("depth D of the well = -1",)),
                 ("restitution 1 well 1 0.9", ("= 0.9", "not below 1")),
                 ("restitution 1 well 1 1", ("above 1", "infinitely many events"))):

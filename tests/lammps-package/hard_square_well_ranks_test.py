@@ -85,7 +85,7 @@ class RanksAndRestart(unittest.TestCase):
     def test_bed_that_is_pressed_on_a_row_which_just_fits(self):
         """The floor's row fills the width to round-off when it lies flat: most of all collisions."""
         gas = RowThatJustFits(10, 4)
-        table = self.same(gas, ["* * restitution 0.9 friction 0.3"], 0.01, 400, 2e4, skin=0.3,
+        table = self.same(gas, ["* * restitution 0.9 friction 0.3"], 0.01, 200, 2e4, skin=0.3,
                           boundary="f f p",
                           more=["fix down all gravity 1.0 vector 0 -1 0",
                                 "fix sides all wall/hard/squarewell restitution 0.9 friction 0.3 "

@@ -221,7 +221,13 @@ class Words(ScriptTestCase):
                  "with 'normal hertz' give 'material_modulus E_m nu_m'"),
                 ("stiffness 800 material_modulus 5e9 0.25", "", "with 'stiffness' give 'material_stiffness K_m'"),
                 ("normal hertz 5e6 0.2 material_keep force", "", "'material_keep' needs 'material_modulus E_m nu_m'"),
-                ("normal hertz 5e6 0.2 material_modulus 5e9", "", "takes 2 value(s)"),
+                ("normal hertz 5e6 0.2 material_modulus 5e9", "", "needs 'material_modulus E_m nu_m': nu_m is missing"),
+                ("normal hertz 5e6 restitution 0.9", "",
+                 "pair_coeff * * of gran/hamaker: keyword 'normal' needs 'normal hertz E nu': 'restitution' stands in "
+                 "the place of nu"),
+                ("normal hertz restitution 0.9", "", "'restitution' stands in the place of E"),
+                ("normal 5e6 0.2 restitution 0.9", "", "'5e6' stands in the place of hertz"),
+                ("normal hertz 5e6 0.2 material_keep 1", "", "'1' stands in the place of name"),
                 (f"{self.CONTACT} asperity 1e-7{self.MATERIAL}", "", "without asperities"),
                 (f"{self.CONTACT} material_modulus 60 0.25", "", "a contact must not be stiffer than its material")):
             with self.subTest(words=words):

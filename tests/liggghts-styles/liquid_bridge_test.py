@@ -243,6 +243,31 @@ class BadInput(unittest.TestCase):
             run = Run(script([sphere((0, 0, 0))], MODELS + " capillary on", capillary(tension, angle, volume)))
             assert_refused(self, run, "cohesion model liquid_bridge, atom types 1 and 1", message, "bridgeVolume")
 
+    def test_values_in_a_wrong_unit(self):
+        """Spheres of R = 0.5 mm: V in m^3 is below 0.1 R^3 = 1.25e-11; 1e-3 is a volume in mm^3, and breaks at 0.1 m."""
+        for settings, properties in ((" capillary on", capillary(0.07, 0, 1e-3)), ("", liquid_bridge(1e-4, 0.1))):
+            with self.subTest(settings):
+                run = Run(script([sphere((0, 0, 0))], MODELS + settings, properties))
+                assert_refused(self, run, "cohesion model liquid_bridge, atom types 1 and 1",
+                               "h_r of the bridge = 0.1: must not be above 0.0005", "check its unit")
+
+    def test_a_wrong_unit_of_types_without_particles_and_of_a_wall(self):
+        """Type 2 has no particles; the wall is of that type."""
+        floor = f"fix floor all wall/gran {MODELS} primitive type 2 zplane -5e-3 capillary on scheme sampled"
+        dry = capillary(0.07, 0, 1e-3).replace("bridgeSurfaceTension peratomtypepair 2 0.07 0.07 0.07",
+                                               "bridgeSurfaceTension peratomtypepair 2 0.0 0.07 0.07")
+        for walls, code in (((), 0), ((floor,), 1)):
+            run = Run(script([sphere((0, 0, 0))], MODELS + " capillary on", dry, walls=walls))
+            self.assertEqual(run.code, code, run.output[-2000:])
+        assert_refused(self, run, "atom types 1 and 2: rupture gap h_r of the bridge = 0.1")
+
+    def test_a_large_volume(self):
+        for volume, warns in ((1.2e-11, 0), (1.3e-11, 1)):
+            run = Run(script([sphere((0, 0, 0))], MODELS + " capillary on", capillary(1e-6, 0, volume), skin=1e-3,
+                             run="run 1\nrun 1\n"))
+            self.assertEqual(run.code, 0, run.output[-2000:])
+            self.assertEqual(run.output.count("of the cube of the radius"), warns, run.output[-3000:])
+
     def test_missing_property(self):
         for missing in ("bridgeForce", "bridgeRuptureGap"):
             lines = [line for line in liquid_bridge(1e-4, 1e-5).splitlines() if missing not in line]

@@ -12,7 +12,7 @@ from cohesion_tests.liggghts_scenes.steady_spheres import expected, systematic
 
 class LongShear(unittest.TestCase):
     def test_nothing_lost_whoever_works_it_out(self):
-        side, steps, strain = 4, 40000, 40.0
+        side, steps, strain = 4, 30000, 30.0
         with mock.patch.dict(os.environ, liggghts.as_lammps()), engine.temporary_folder() as folder:
             done = long_spheres.all_runs(folder, side, steps, strain, 100, lambda steps: None)
         results = [long_spheres.Result(one, side, strain) for one in done]

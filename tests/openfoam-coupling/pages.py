@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages of some folders that have commands run as they are printed: their files in an empty folder, then their
-commands. They print what the pages show and the results that they expect, and draw the pages' pictures, which stay in
+"""The pages of a folder, COHESION_PAGES, that have commands run as they are printed: their files in an empty folder,
+then their commands. They print what the pages show and the results that they expect, and draw the pages' pictures, which stay in
 the folder of the test. Printed files warn of nothing."""
 
 import os
@@ -11,8 +11,6 @@ from pathlib import Path
 from cohesion_tests import SOURCE, page_expected
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.page_session import Session
-
-FOLDERS = "docs/getting-started", "docs/how-to"
 
 
 class Pages(CoupledTestCase):
@@ -39,10 +37,9 @@ class Pages(CoupledTestCase):
 
 
 def add_tests():
-    for folder in FOLDERS:
-        for page in sorted((SOURCE / folder).glob("*.md")):
-            if Session(str(page.relative_to(SOURCE))).commands():
-                setattr(Pages, f"test_{page.stem.replace('-', '_')}", lambda self, page=page: self.check(page))
+    for page in sorted((SOURCE / os.environ["COHESION_PAGES"]).glob("*.md")):
+        if Session(str(page.relative_to(SOURCE))).commands():
+            setattr(Pages, f"test_{page.stem.replace('-', '_')}", lambda self, page=page: self.check(page))
 
 
 add_tests()

@@ -22,7 +22,7 @@ BUILD, WORK = os.environ["COHESION_BUILD"], Path(os.environ["COHESION_WORK"])
 DENSITY, STIFFNESS = 2500, 100
 GRAINS = ("--density", DENSITY, "--stiffness", STIFFNESS, "--hamaker", 6.5e-20, "--engine", ENGINE)
 # Hertz's and JKR's contact of glass, at a softer modulus.
-YOUNG, POISSON, SOFT = 63e9, 0.22, 3e6
+YOUNG, POISSON, SOFT = 63e9, 0.22, 1e6
 ELASTIC = ("--density", DENSITY, "--young", YOUNG, "--poisson", POISSON, "--soft-young", SOFT, "--engine", ENGINE)
 
 
@@ -93,6 +93,7 @@ class PowderCase(CoupledTestCase):
                               across / 2 - nearest(5e-4))
         self.expect_true(f"{name}: all are above the plate", places[:, 2].min() > nearest(4e-4))
 
+    @unittest.skipUnless(ENGINE == "lammps", "cells are the coupling's part; other tests have two sizes in a box")
     def test_two_sizes_in_finer_cells(self):
         self.check("two", "--diameter", 4e-4, 6e-4, "--cell", 2, *BOX, cell=1e-3)
 

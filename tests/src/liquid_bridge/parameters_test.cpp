@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "liquid_bridge/parameters.h"
 
+#include "liquid_bridge/range_of_validity.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,6 +75,19 @@ TEST(LiquidBridge, RefusesWhatNoLiquidCanBe) {
   EXPECT_THROW(capillary(0.07, 0.0, 0.0), InvalidParameter);
   EXPECT_THROW(capillary(0.07, 0.0, -1e-13), InvalidParameter);
   EXPECT_NO_THROW(capillary(0.0, 0.0, 0.0));
+}
+
+TEST(LiquidBridge, BreaksBelowTheRadiusOfTheSmallestParticle) {
+  const double radius = 5e-4;
+  EXPECT_NO_THROW(require_short(capillary(0.07, 0.0, 1e-3), 0.1));
+  EXPECT_THROW(require_short(capillary(0.07, 0.0, 1e-3), radius), InvalidParameter);
+  EXPECT_THROW(require_short({1e-4, 1.01 * radius}, radius), InvalidParameter);
+  EXPECT_NO_THROW(require_short({1e-4, radius}, radius));
+  EXPECT_NO_THROW(require_short(capillary(0.0, 0.0, 1e-3), radius));
+  EXPECT_EQ(doubt_of_volume(capillary(0.07, 0.0, 1.2e-11), radius), "");
+  EXPECT_NE(doubt_of_volume(capillary(0.07, 0.0, 1.3e-11), radius), "");
+  EXPECT_EQ(doubt_of_volume(capillary(0.0, 0.0, 1.3e-11), radius), "");
+  EXPECT_EQ(doubt_of_volume({1e-4, radius}, radius), "");
 }
 
 TEST(LiquidBridge, OfLiquidsIsMixedByGeometricMeans) {

@@ -36,7 +36,7 @@ def run(words, folder, ranks=0, environment=None, timeout=500, each_line=None):
     of a command that is waited for without each_line."""
     how = dict(cwd=folder, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                env={**os.environ, **short_start(ranks), **(environment or {})})
-    # LIGGGHTS ends one error in five with bytes from memory that it has freed: errors="replace".
+    # LIGGGHTS ends one of its own errors in five with bytes from memory that it has freed: errors="replace".
     if each_line is None:
         done = subprocess.run(words, timeout=timeout, **how)
         return Ended(done.returncode, done.stdout)

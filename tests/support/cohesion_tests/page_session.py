@@ -47,7 +47,7 @@ class Session:
     def run(self, folder, environment):
         """Writes the files into an empty folder and runs the commands with this Python; gives exit code and output."""
         self.write(folder)
-        python = folder.parent / "python-of-the-test"
+        python = folder.parent / f"python-of-{folder.name}"
         python.mkdir(exist_ok=True)
         (python / "python3").unlink(missing_ok=True)
         (python / "python3").symlink_to(sys.executable)

@@ -29,14 +29,14 @@ boundary
 class Setting:
     """stiffness: beta dt/(eps rho_g), of the gas's step; ratio of the densities; cell: size/diameter;
     cfl: of the gas's step; per_edge: spheres along the edge of a cell, below 1 where cells are many to
-    a sphere; layer: spheres in the lower half of a box four times as high; finer: steps in each of DT."""
+    a sphere; layer: spheres in the lower half of a box four times as high; finer: steps in each of DT; steps: of DT."""
 
     def __init__(self, stiffness, eps=0.62, ratio=1000.0, cell=3.0, cfl=0.2, kernel="particleCentre",
-                 width=0.0, free=False, form="A", layer=False, reynolds=RE, finer=1):
+                 width=0.0, free=False, form="A", layer=False, reynolds=RE, finer=1, steps=STEPS):
         self.asked = stiffness
         self.ratio, self.cell, self.cfl = ratio, cell, cfl
         self.kernel, self.width, self.free = kernel, width, free
-        self.form, self.layer, self.finer = form, layer, finer
+        self.form, self.layer, self.finer, self.steps = form, layer, finer, steps
         self.h = U0 * DT / cfl
         self.d = self.h / cell
         # Spacing of the lattice nearest to eps that fits the cells
@@ -108,7 +108,7 @@ def solve(column, name, s):
 response {'free' if s.free else 'held'};
 {f'smoothingWidth {s.width * s.d!r};' if s.width else ''}""")
     use_lattice(case, variables)
-    append(case, "system/controlDict", f"deltaT {dt!r}; endTime {STEPS * DT!r}; writeControl timeStep;"
+    append(case, "system/controlDict", f"deltaT {dt!r}; endTime {s.steps * DT!r}; writeControl timeStep;"
            f" writeInterval {s.finer}; writePrecision 17;")
     case.mesh()
     return case, case.solve()

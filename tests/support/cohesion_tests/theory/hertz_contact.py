@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The contact of Hertz with a dashpot of constant restitution and a Hamaker attraction, as the manual page of gran/hamaker
 states it, integrated by scipy; it knows nothing of the package and of no engine."""
+import functools
 import math
 
 import numpy
@@ -85,5 +86,19 @@ class HertzPair:
         return 0.5 * self.mu * (path.y_events[0][0][1] * entry)**2 + way[0] - max(way)
 
     def escape_velocity(self, angle=0.0, start=1.001 * OUT):
-        """Along the normal [m/s], where the gap is `start`."""
-        return brentq(self.energy_left, 1e-6, 10.0, args=(angle, start), xtol=1e-13, rtol=1e-8)
+        """Along the normal [m/s], where the gap is `start`. Integrations; those of equal pairs are done once."""
+        return _escape_velocity(self, angle, start)
+
+    def _given(self):
+        return (self.modulus, self.poisson, self.restitution, self.hamaker, self.diameter, self.density, self.plane)
+
+    def __eq__(self, other):
+        return self._given() == other._given()
+
+    def __hash__(self):
+        return hash(self._given())
+
+
+@functools.cache
+def _escape_velocity(pair, angle, start):
+    return brentq(pair.energy_left, 1e-6, 10.0, args=(angle, start), xtol=1e-13, rtol=1e-8)

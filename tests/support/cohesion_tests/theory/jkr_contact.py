@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """JKR's contact with the dashpot of constant restitution, as the manual page of gran/jkr states it, integrated by scipy;
 it knows nothing of the package and of no engine."""
+import functools
 import math
 
 from scipy.integrate import solve_ivp
@@ -76,11 +77,25 @@ class JkrPair:
         return len(path.t_events[0]) > 0
 
     def sticking_speed(self, angle=0.0):
-        """Along the normal [m/s]."""
-        low, high = 0.0, 1e-4
-        while not self.parts(high, angle):
-            low, high = high, 2 * high
-        while high - low > 1e-5 * high:
-            middle = 0.5 * (low + high)
-            low, high = (low, middle) if self.parts(middle, angle) else (middle, high)
-        return high
+        """Along the normal [m/s]. Integrations; those of equal pairs are done once."""
+        return _sticking_speed(self, angle)
+
+    def _given(self):
+        return (self.modulus, self.poisson, self.restitution, self.gamma, self.diameter, self.density, self.plane)
+
+    def __eq__(self, other):
+        return self._given() == other._given()
+
+    def __hash__(self):
+        return hash(self._given())
+
+
+@functools.cache
+def _sticking_speed(pair, angle):
+    low, high = 0.0, 1e-4
+    while not pair.parts(high, angle):
+        low, high = high, 2 * high
+    while high - low > 1e-5 * high:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if pair.parts(middle, angle) else (middle, high)
+    return high
