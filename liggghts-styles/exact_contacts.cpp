@@ -197,6 +197,9 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   }
   const double* const last = first ? nullptr : last_record(d);
   state = last ? ContactState::stored(last) : ContactState{ContactState::unknown};
+  // What binds a pair, such as a bridge, is not to be seen from its distance.
+  if (first && was_in_range(d) && r <= k->solver->outer_distance())
+    state.phase = ContactState::inside;
   time_apart_ = k->solver->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
@@ -230,6 +233,12 @@ void ExactContacts::exclude_impulse(const CachedContact& k,
   const cohesion::Vector3 on_i = state.force * cohesion::vector(normal);
   if (mobile_.moves(atom_->mask[d.i])) accelerations_->exclude(d.i, on_i);
   if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) accelerations_->exclude(d.j, -on_i);
+}
+
+/// Whether the contact was in range when the last run ended.
+bool ExactContacts::was_in_range(const ContactModels::SurfacesCloseData& d) const {
+  const double* const history = d.contact_history + offset_;
+  return history[STEP] == accelerations_->clock() + 1.0 && ContactState::stored(history).in_range();
 }
 
 bool ExactContacts::in_range(const double* history) const {

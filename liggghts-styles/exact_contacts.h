@@ -144,6 +144,7 @@ class ExactContacts {
                       const cohesion::Vector3& normal) const;
   bool repeat(const CachedContact& k, const ContactModels::SurfacesCloseData& d,
               cohesion::contact_solver::ContactStep& step, ContactState& state) const;
+  bool was_in_range(const ContactModels::SurfacesCloseData&) const;
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
              const cohesion::contact_solver::ContactStep& step) const;

@@ -19,16 +19,14 @@ void AlteredParticles::save(int i, double* values) const {
 
 bool AlteredParticles::compare(int i, const double* saved) {
   const Vector3 by = vector(atom->x[i]) - vector(saved);
-  const bool other = atom->radius[i] != saved[3] || atom->type[i] != saved[4];
-  by_[i] = {by.x, by.y, by.z, other ? 1.0 : 0.0};
-  return other || is_displaced(by);
+  const bool resized = atom->radius[i] != saved[3], retyped = atom->type[i] != saved[4];
+  by_[i] = {by.x, by.y, by.z, resized ? 1.0 : 0.0, retyped ? saved[4] : 0.0};
+  return resized || retyped || is_displaced(norm(without_periods(by)));
 }
 
 /// The engine wraps particles into the box when a run begins: displacements by whole boxes do not
-/// count. In a tilted box it transforms coordinates there and back, with a rounding of some 2^-53
-/// of the box.
-bool AlteredParticles::is_displaced(const Vector3& by) const {
-  constexpr double rounding = 1e-13;
+/// count.
+Vector3 AlteredParticles::without_periods(const Vector3& by) const {
   const double* const h = domain->h;
   double d[3] = {by.x, by.y, by.z};
   const auto boxes = [&](int k) {
@@ -42,16 +40,21 @@ bool AlteredParticles::is_displaced(const Vector3& by) const {
   d[0] -= along_y * h[5];
   d[1] -= along_y * h[1];
   d[0] -= boxes(0) * h[0];
-  return norm(vector(d)) > rounding * std::max({h[0], h[1], h[2]});
+  return vector(d);
 }
 
-bool AlteredParticles::is_altered(int i, int j) const {
+/// In a tilted box the engine transforms coordinates there and back, with a rounding of some 2^-53
+/// of the box.
+bool AlteredParticles::is_displaced(double by) const {
+  constexpr double rounding = 1e-13;
+  const double* const h = domain->h;
+  return std::abs(by) > rounding * std::max({h[0], h[1], h[2]});
+}
+
+bool AlteredParticles::has_other_gap(int i, int j) const {
   if (by_.empty()) return false;
-  const Alteration& of_i = by_[i];
-  if (j < 0) return of_i[3] != 0.0 || is_displaced(vector(of_i.data()));
-  const Alteration& of_j = by_[j];
   // A ghost may be an image through a side of the box, which the script may have moved.
   if (j >= atom->nlocal && box_.moves_image(domain, atom->x[j])) return true;
-  return of_i[3] != 0.0 || of_j[3] != 0.0 ||
-         is_displaced(vector(of_j.data()) - vector(of_i.data()));
+  const Vector3 relative = vector(by_[j].data()) - vector(by_[i].data());
+  return is_resized(i) || is_resized(j) || is_displaced(norm(without_periods(relative)));
 }

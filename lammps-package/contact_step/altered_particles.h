@@ -21,7 +21,7 @@ class AlteredParticles : protected Pointers {
   /// Numbers stored per particle at the end of a run: position, radius, type and ID.
   static constexpr int SAVED = 6;
   /// Numbers per particle that describe its alteration (Alteration).
-  static constexpr int EACH = 4;
+  static constexpr int EACH = 5;
 
   void save(int i, double* values) const;
   void save_box() { box_.store(domain); }
@@ -37,14 +37,26 @@ class AlteredParticles : protected Pointers {
   /// Frees the alterations; from then on no particle counts as altered.
   void forget() { by_.clear(); }
 
-  /// Whether the distance of particle i and particle or ghost j, or the law between them, may have
-  /// changed other than by their motion. j < 0: a wall.
-  bool is_altered(int i, int j) const;
+  /// Whether the gap of particle i and particle or ghost j may have changed other than by motion.
+  bool has_other_gap(int i, int j) const;
+  /// Whether the particle has another radius.
+  bool is_resized(int i) const { return !by_.empty() && by_[i][3] != 0.0; }
+  /// By how much a script has displaced particle i, without the periods of the box, [length].
+  cohesion::Vector3 displacement(int i) const {
+    return by_.empty() ? cohesion::Vector3{} : without_periods(cohesion::vector(by_[i].data()));
+  }
+  /// Whether a displacement is more than the rounding of the engine, [length].
+  bool is_displaced(double by) const;
+  /// The type that particle or ghost i had.
+  int type_before(int i) const {
+    return by_.empty() || by_[i][4] == 0.0 ? atom->type[i] : static_cast<int>(by_[i][4]);
+  }
 
  private:
-  using Alteration = std::array<double, EACH>;  // displacement, and 1 for another radius or type
+  /// Displacement, 1 for another radius, and the type before where it is another one now, else 0.
+  using Alteration = std::array<double, EACH>;
 
-  bool is_displaced(const cohesion::Vector3& by) const;
+  cohesion::Vector3 without_periods(const cohesion::Vector3& by) const;
 
   std::vector<Alteration> by_;  // per particle and ghost
   BoxSides box_;                // at the end of the last run

@@ -86,9 +86,8 @@ class FixContactStep : public Fix {
 
   /// Whether this set-up continues with the forces of the last step and computes no contact.
   bool resumes() const { return resuming; }
-  /// Whether a script has altered the contact of i and j since the last run (AlteredParticles); j <
-  /// 0: a wall.
-  bool is_altered(int i, int j) const { return altered.is_altered(i, j); }
+  /// What scripts have altered since the last run; filled while a continued run is set up.
+  const AlteredParticles& altered_particles() const { return altered; }
   /// Whether the last run ended in a step without energy balance, so that its totals are unknown.
   bool last_tally_unknown() const { return tally_unknown; }
   /// Whether this is the first step of a run that continues no other.
@@ -209,13 +208,13 @@ class FixContactStep : public Fix {
   bool warned_of_unturned, warned_of_held, warned_of_partly_held;
   bool warned_of_unmoved = false;
   std::set<std::string> warned_of_walls;  // texts of the warnings so far
-  AlteredParticles altered;               // filled while a continued run is set up
-  double forces_dt;                       // step of the current forces; 0 before the first
-  AtomNumbers last;                       // between two runs: save_last()
-  double before_dt = 0.0;                 // last step
-  AtomNumbers accelerations;              // of atoms and ghosts, by the forces of the last step
-  double largest_acceleration = 0.0;      // of these
-  bool step_due = false;                  // begin_step()
+  AlteredParticles altered;
+  double forces_dt;                   // step of the current forces; 0 before the first
+  AtomNumbers last;                   // between two runs: save_last()
+  double before_dt = 0.0;             // last step
+  AtomNumbers accelerations;          // of atoms and ghosts, by the forces of the last step
+  double largest_acceleration = 0.0;  // of these
+  bool step_due = false;              // begin_step()
   std::vector<cohesion::Vector3> impulsive_forces;  // per atom, of this step: add_impulsive_force()
   std::vector<int> given_impulses;   // indices of atoms with such forces, with repetitions
   bool any_exact_scheme = false;     // whether any style of this run has it

@@ -51,6 +51,8 @@ class CohesiveCoefficients : protected Pointers {
   bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
   /// Whether any law that prepare() has made acts as far as another than that of the run before.
   bool has_other_ranges() const { return has_other_ranges_; }
+  /// Whether the laws of two pairs of types, of_types(), have different ranges.
+  bool have_other_ranges(int a, int b) const { return a != b && ranges_[a] != ranges_[b]; }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);
@@ -162,8 +164,9 @@ class CohesiveCoefficients : protected Pointers {
   bool note_range(int i, int j) {
     ranges_.resize(parameters_.size(), NONE);
     const double before = ranges_[of_types(i, j)];
-    ranges_[of_types(i, j)] = Cohesion::range(Scheme::exact, parameters_(i, j), 1.0, 1.0);
-    return before != NONE && before != ranges_[of_types(i, j)];
+    const double now = Cohesion::range(Scheme::exact, parameters_(i, j), 1.0, 1.0);
+    ranges_[of_types(i, j)] = ranges_[of_types(j, i)] = now;
+    return before != NONE && before != now;
   }
 
   static constexpr double NONE = -1.0;

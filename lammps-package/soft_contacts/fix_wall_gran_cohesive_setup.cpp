@@ -13,8 +13,8 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;
 
-/// Sets whether particles are in range by where they are, of which nothing is known or that a
-/// script has altered.
+/// Decides by their distance whether particles are in range that have no history, or whose gap to
+/// the wall a script has changed.
 template <class Cohesion>
 template <class Contact>
 void FixWallGranCohesive<Cohesion>::find_in_range(std::vector<Contact>& shared,
@@ -22,17 +22,21 @@ void FixWallGranCohesive<Cohesion>::find_in_range(std::vector<Contact>& shared,
   shared.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const bool is_altered = step->is_altered(i, -1);
-    if (step->body(i).inverse_mass == 0.0) {
-      if (is_altered) history.begin(i);
-      continue;
-    }
+    const AlteredParticles& altered = step->altered_particles();
+    const Vector3 centre = vector(atom->x[i]), before = centre - altered.displacement(i);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const values = history.of(i, w);
+      const double distance = walls[w].nearest(centre, now, motion.rim_speed).distance;
+      const bool is_altered =
+          altered.is_resized(i) ||
+          altered.is_displaced(distance - walls[w].nearest(before, now, motion.rim_speed).distance);
+      if (step->body(i).inverse_mass == 0.0) {
+        if (is_altered) values[0] = WallHistory::NOT_KNOWN;
+        continue;
+      }
       if (is_altered && values[0] == WallHistory::BEHIND) values[0] = WallHistory::NOT_KNOWN;
       const bool is_new = values[0] == WallHistory::NOT_KNOWN;
       if (!is_new && !is_altered) continue;
-      const double distance = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed).distance;
       const Contact& c = contact(shared, i);
       const double clear = atom->radius[i] + c.range();
       if (is_new && WallHistory::keep_behind(values[0], distance, clear)) continue;

@@ -36,7 +36,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       history_stale(false),
       per_pair(0),
       step(nullptr),
-      history(modify, history_id(Cohesion::STYLE)) {
+      history(lammps, Cohesion::STYLE) {
   single_enable = 1;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;

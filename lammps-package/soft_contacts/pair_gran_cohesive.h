@@ -120,6 +120,7 @@ class PairGranCohesive : public Pair,
   void require_distinct_places() const;
   template <class What>
   void for_each_listed(const What&) const;
+  bool is_altered(int i, int j) const;
   void find_in_range();
   void forget_all();
   void forget_springs();

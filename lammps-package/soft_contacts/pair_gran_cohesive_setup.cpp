@@ -43,6 +43,17 @@ void PairGranCohesive<Cohesion>::forget_all() {
   for_each_listed([](int, int, int& has_history, double*) { has_history = 0; });
 }
 
+/// Whether the stored state of a pair does not say whether it is in range: a script has changed its
+/// gap, or the range of the law between its particles.
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::is_altered(int i, int j) const {
+  const AlteredParticles& altered = step->altered_particles();
+  return coefficients.has_other_ranges() || altered.has_other_gap(i, j) ||
+         coefficients.have_other_ranges(
+             coefficients.of_types(atom->type[i], atom->type[j]),
+             coefficients.of_types(altered.type_before(i), altered.type_before(j)));
+}
+
 /// Decides by their distance which pairs are in range if their histories do not determine it: pairs
 /// without a history, pairs that a script has altered, and all pairs where ranges of laws have
 /// changed.
@@ -52,7 +63,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
       [this](auto& contacts) {
         contacts.clear();
         for_each_listed([&](int i, int j, int& has_history, double* values) {
-          if (has_history && !step->is_altered(i, j) && !coefficients.has_other_ranges()) return;
+          if (has_history && !is_altered(i, j)) return;
           const double apart = distance(i, j);
           // The contact is needed only for pairs within the largest range.
           bool near = moves(i, j) && apart < atom->radius[i] + atom->radius[j] + largest_range;

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "engine/renumbering.h"
+#include "error.h"
 #include "fix_neigh_history.h"
+#include "lammps.h"
 #include "modify.h"
 
 namespace LAMMPS_NS {
@@ -27,8 +29,14 @@ inline std::string history_id(const std::string& style) {
 /// move particles to other ranks, such as fix deform.
 class PairHistory {
  public:
-  /// `id` of the fix. The number of values is appended, since restart files do not contain it.
-  PairHistory(Modify* modify, const std::string& id) : modify_(modify), id_(id), fix_(nullptr) {
+  /// The ID of the fix ends with the number of values, since restart files do not contain it. Stops
+  /// LAMMPS where the same style stands twice in a hybrid one.
+  PairHistory(class LAMMPS* lmp, const std::string& style)
+      : modify_(lmp->modify), id_(history_id(style)), fix_(nullptr) {
+    if (modify_->find_fix(place()) >= 0)
+      lmp->error->all(FLERR, "pair_style hybrid: " + style +
+                                 " can be given only once; put the coefficients of all its types "
+                                 "into lines of pair_coeff");
     modify_->add_fix(place() + " all DUMMY");
   }
   ~PairHistory() { modify_->delete_fix(fix_ ? id_ : place()); }

@@ -6,7 +6,7 @@ import unittest
 import numpy
 
 from cohesion_tests.liggghts import Run
-from cohesion_tests.liggghts_scenes.scene import RADIUS, script, sphere, square_well
+from cohesion_tests.liggghts_scenes.scene import RADIUS, liquid_bridge, script, sphere, square_well
 from cohesion_tests.thermo import thermo_lines
 
 RATIO = 1.5
@@ -66,6 +66,18 @@ class Standing(unittest.TestCase):
         self.check(spheres, "group pair id 2 3\nfix hold pair freeze\n", "run 10\nunfix hold\nrun 10\n")
         self.check(spheres, "group pair id 2 3\ngroup far id 1\nunfix move\nfix move far nve/sphere\n",
                    "run 10\nunfix move\nfix move all nve/sphere\nrun 10\n")
+
+
+class Bridges(unittest.TestCase):
+    def test_a_bridge_in_its_gap_remains_in_a_run_of_another_step(self):
+        # The grains touch, and their bridge holds them in the gap when the step changes.
+        spheres = [sphere((-RADIUS - 1.5e-6, 0, 0)), sphere((RADIUS + 1.5e-6, 0, 0), (-0.1, 0, 0))]
+        for change in ("", "timestep 8.9e-6\n"):
+            with self.subTest(change):
+                done = Run(script(spheres, "model hooke/stiffness tangential off cohesion liquid_bridge scheme exact absolute_damping on",
+                                  liquid_bridge(1e-4, 5e-5), dt=9e-6, skin=2e-4, run=f"run 25\n{change}run 3000\n"))
+                (a, b) = (numpy.array(row[:3]) for row in list(done.frames("out.txt")[-1].values())[:2])
+                self.assertLess(numpy.linalg.norm(a - b) - 2 * RADIUS, 5e-5)
 
 
 if __name__ == "__main__":
