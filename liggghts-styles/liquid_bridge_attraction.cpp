@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liquid_bridge_attraction.h"
 
-#include <mpi.h>
-// The engine's header of properties wants mpi.h before it.
 #include <algorithm>
 
 #include "atom.h"
 #include "contact_models.h"
 #include "fix_mesh_surface.h"
-#include "global_properties.h"
 #include "mesh_contact.h"
-#include "property_registry.h"
+#include "property_readers.h"
 #include "sampled_contact/sampled_bridge.h"
 #include "update.h"
 
@@ -19,20 +16,12 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion model liquid_bridge";
+constexpr const char* model_name = "cohesion model liquid_bridge";
 constexpr const char* force_property = "bridgeForce";
 constexpr const char* gap_property = "bridgeRuptureGap";
 constexpr const char* tension_property = "bridgeSurfaceTension";
 constexpr const char* angle_property = "bridgeContactAngle";
 constexpr const char* volume_property = "bridgeVolume";
-
-template <const char* const& property>
-double** values(PropertyRegistry& registry) {
-  registry.registerProperty(property, [](PropertyRegistry& from, const char* caller, bool) {
-    return MODEL_PARAMS::createPerTypePairProperty(from, property, caller);
-  });
-  return registry.getMatrixProperty(property, asked_for_by)->data;
-}
 
 /// Without this flag the engine forgets the contact when it makes a new list.
 void remember(const ContactModels::SurfacesCloseData& d, bool something) {
@@ -63,12 +52,12 @@ void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalMod
 }
 
 void LiquidBridgeAttraction::fill(PropertyRegistry& registry) {
-  double** force = values<force_property>(registry);
-  double** gap = values<gap_property>(registry);
+  double** force = type_pair_property<force_property>(registry, model_name);
+  double** gap = type_pair_property<gap_property>(registry, model_name);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        const cohesion::liquid_bridge::Parameters law{force[i][j], gap[i][j]};
+        const cohesion::liquid_bridge::LiquidBridgeParameters law{force[i][j], gap[i][j]};
         require_valid(law);
         return added(law);
       },
@@ -78,9 +67,9 @@ void LiquidBridgeAttraction::fill(PropertyRegistry& registry) {
 }
 
 void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
-  double** tension = values<tension_property>(registry);
-  double** angle = values<angle_property>(registry);
-  double** volume = values<volume_property>(registry);
+  double** tension = type_pair_property<tension_property>(registry, model_name);
+  double** angle = type_pair_property<angle_property>(registry, model_name);
+  double** volume = type_pair_property<volume_property>(registry, model_name);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
@@ -92,8 +81,8 @@ void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
       });
 }
 
-cohesion::liquid_bridge::Parameters LiquidBridgeAttraction::added(
-    const cohesion::liquid_bridge::Parameters& law) {
+cohesion::liquid_bridge::LiquidBridgeParameters LiquidBridgeAttraction::added(
+    const cohesion::liquid_bridge::LiquidBridgeParameters& law) {
   if (!law.attracts()) return law;
   is_active_ = true;
   widest_gap_ = std::max(widest_gap_, law.rupture_gap);

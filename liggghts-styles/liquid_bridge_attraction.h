@@ -12,7 +12,7 @@
 #include "lammps.h"
 #include "liquid_bridge/parameters.h"
 #include "normal_model_probe.h"
-#include "table_of_types.h"
+#include "type_matrix.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -69,11 +69,12 @@ class LiquidBridgeAttraction : public CohesionDefaults {
   bool was_bridged(const Encounter& encounter) const;
   void fill(PropertyRegistry& registry);
   void fill_with_liquid(PropertyRegistry& registry);
-  cohesion::liquid_bridge::Parameters added(const cohesion::liquid_bridge::Parameters& law);
+  cohesion::liquid_bridge::LiquidBridgeParameters added(
+      const cohesion::liquid_bridge::LiquidBridgeParameters& law);
 
   LAMMPS_NS::LAMMPS* lmp_;
   int offset_;  // of what is remembered in the history of a contact
-  TableOfTypes<cohesion::liquid_bridge::Parameters> laws_;
+  TypeMatrix<cohesion::liquid_bridge::LiquidBridgeParameters> laws_;
   double widest_gap_ = 0.0;
   bool is_active_ = false;
   bool is_liquid_ = false;  // keyword capillary

@@ -147,7 +147,7 @@ class FixContactStep : public Fix {
   /// Adds to the impulses of edges on a particle of this rank, [force].
   void add_impulsive_force(int i, const cohesion::Vector3& on_it) {
     impulsive_forces[i] += on_it;
-    given_impulses.push_back(i);
+    impulsive_particles.push_back(i);
   }
   /// Counts a contact whose step was cut short.
   void count_unresolved(double fraction) { unresolved += fraction; }
@@ -193,7 +193,7 @@ class FixContactStep : public Fix {
 
   std::vector<SoftContactStyle*> styles;  // those of this run
   std::vector<AdvisedStyle*> advised;     // the same
-  RunWatch watch;
+  LammpsWatch watch;
 
   char* forwarded_flags;       // per atom and ghost, of what goes to ghosts now: whether it has any
   NumbersOf forwarded_values;  // those, `values_each` of each
@@ -216,14 +216,14 @@ class FixContactStep : public Fix {
   double largest_acceleration = 0.0;  // of those
   bool step_due = false;              // begin_step()
   std::vector<cohesion::Vector3>
-      impulsive_forces;              // per atom: add_impulsive_force(), until the next step
-  std::vector<int> given_impulses;   // who has one; some more than once
-  bool any_exact_scheme = false;     // any style, in this run
-  bool any_dynamic_group = false;    // of particles that fixes move or freeze, likewise
-  std::vector<char> flagged;         // of what is forwarded
-  double* inverse_mass;              // per atom and ghost
-  std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none
-  std::vector<double> known_radii;   // radii_version is of these
+      impulsive_forces;                  // per atom: add_impulsive_force(), until the next step
+  std::vector<int> impulsive_particles;  // with an impulsive force; some more than once
+  bool any_exact_scheme = false;         // any style, in this run
+  bool any_dynamic_group = false;        // of particles that fixes move or freeze, likewise
+  std::vector<char> flagged;             // of what is forwarded
+  double* inverse_mass;                  // per atom and ghost
+  std::vector<double> known_masses;      // the masses inverse_mass is of; empty: of none
+  std::vector<double> known_radii;       // radii_version is of these
   long radii_version = 0;
   double longest_flight;
   double unresolved;                        // steps of contacts that were cut short, in this run

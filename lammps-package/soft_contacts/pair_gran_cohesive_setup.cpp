@@ -71,7 +71,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::require_distinct_places() const {
-  LAMMPS_NS::require_distinct_places(lmp, coefficients.where(), list,
+  LAMMPS_NS::require_distinct_places(lmp, coefficients.message_prefix(), list,
                                      [this](int i, int j) { return moves(i, j); });
 }
 
@@ -131,7 +131,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   for_each_listed([&](int i, int j, int has_history, const double* values) {
     bool bound;
     if constexpr (Cohesion::BINDS_IN_RANGE) {
-      const int types = coefficients.of_types(atom->type[i], atom->type[j]);
+      const int types = coefficients.pair_index(atom->type[i], atom->type[j]);
       const double range = coefficients.range_of_attraction(types);
       bound =
           range > 0.0 && moves(i, j) && distance(i, j) < atom->radius[i] + atom->radius[j] + range;

@@ -34,15 +34,10 @@ struct ContactState {
   static constexpr int size = 8;
   void store(double* values) const {
     values[0] = phase;
-    values[1] = velocity_offset;
-    values[2] = last_rate;
-    values[3] = force;
-    values[4] = force_before;
-    values[5] = external_before;
-    values[6] = account;
+    store_persistent(values);
     values[7] = contact_time;
   }
-  /// store() of a contact that was persistent in the last step, too.
+  /// The values that a persistent contact changes: phase and contact time are stored already.
   [[gnu::always_inline]] void store_persistent(double* values) const {
     values[1] = velocity_offset;
     values[2] = last_rate;
