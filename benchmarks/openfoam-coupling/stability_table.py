@@ -35,14 +35,16 @@ FINER = 8
 REYNOLDS = 0.1
 PAGE = """# Errors of the coupling by drag, density and cells
 
-`benchmarks/openfoam-coupling/stability_table.py BUILD WORK --table FILE` writes this page. Each row is runs of the
-solver over 20 gas steps of five particle steps, in periodic boxes without gravity.
-[Stability](../openfoam-coupling/stability.md) lists the limits, and [waves](../theory/waves.md) derives them.
+Beds of at least 100 times the mass of their gas (R) are correct, or correct after the first steps, at any stiffness of
+the drag. Light or dilute particles need `response free`, or gas steps shorter than m/b; the solver warns. Do not use
+form A for light free spheres at a Courant number of 5. [Stability](../openfoam-coupling/stability.md) lists the
+limits, and [waves](../theory/waves.md) derives them.
 
-- Dense particles heavier than the gas by 100 or more are right, or right after the first steps, at any stiffness.
-- Light or dilute particles need `response free`, or gas steps shorter than m/b. The solver warns.
-- Light free spheres in form A at a Courant number of 5 are thrown out of the box (*crashed*) or gain energy. The solver
-  warns.
+```
+benchmarks/openfoam-coupling/stability_table.py BUILD WORK --table FILE
+```
+
+Each row has runs over 20 gas steps of five particle steps, in periodic boxes without gravity:
 
 | scene | content | errors |
 |---|---|---|
@@ -53,20 +55,21 @@ x is the gas step over m/b, R the mass of the particles over that of the gas.
 
 | verdict | meaning |
 |---|---|
-| right | all errors below 0.01 |
+| correct | all errors below 0.01 |
 | first order | larger errors in some steps, below 0.01 at the end |
-| off | larger errors at the end, too; *so is the reference* where its energy exceeds that at the start by 0.01 |
+| error | the error at the end, above 0.01; *reference unstable* where the energy of the reference exceeds that at the start by 0.01 |
 | unstable | no number, or more than 0.01 of energy gained |
-| refused | the solver stopped with an error |
+| stops | the solver stopped with an error |
 | crashed | the run ended otherwise, with the error of the engine; "Lost atoms" are spheres outside the box |
 | warned | the solver warned of the gas step or of waves |
 
-Two reasons make rows *off* without a warning:
+Three kinds of rows have an error without a warning:
 
-- *Implicit steps*: stiffness 1, rho_s/rho_g 10. The flux of the gas still changes at the end; it converges with the
-  first order of the step.
-- *Lattice planes that cross cell faces*: rho_s/rho_g 1. Spheres as light as the gas follow the pressure of the cells.
-  Shorter steps do not remove it.
+| rows | reason |
+|---|---|
+| stiffness 1, rho_s/rho_g 10 | implicit steps: the flux of the gas still changes at the end, and converges with first order |
+| rho_s/rho_g 100, stiffness 1e6 | explicit response: an error of about 1/(1 + R), below the limit of the warning |
+| rho_s/rho_g 1 | lattice planes cross cell faces, and spheres as light as the gas follow the pressure of the cells, at any step |
 """
 HEAD = ("| beta dt/(eps rho_g) | eps | rho_s/rho_g | cell/d | CFL | kernel | R | x | uniform: largest | end | layer:"
         " largest | end | energy | verdict |\n" + "|---" * 14 + "|")
@@ -121,7 +124,7 @@ def guarded(work, name, action):
         log, engine = (file.read_text() if file.exists() else "" for file in logs)
         # The reason of an engine that gives up stands in its own log; else the last words, whatever they are.
         reason = re.search(r"^ERROR.*", engine, re.M)
-        ended = "refused: " + said[0] if said else "crashed: " + (reason[0] if reason else text[-200:])
+        ended = "stops: " + said[0] if said else "crashed: " + (reason[0] if reason else text[-200:])
         raise Refused(ended.replace("|", "/") + ", warned" * warned(log)) from None
     finally:
         shutil.rmtree(f"{work}/{name}", ignore_errors=True)
@@ -164,11 +167,11 @@ def verdict(errors, gains, said):
     if not np.isfinite([largest, end, *gains]).all() or gains[0] > RIGHT:
         word = "unstable"
     elif gains[1] > RIGHT:
-        word = f"off by {end:.1g}, but so is the reference"
+        word = f"error {end:.1g}, reference unstable"
     elif largest < RIGHT:
-        word = "right"
+        word = "correct"
     else:
-        word = "first order" if end < RIGHT else f"off by {end:.1g}"
+        word = "first order" if end < RIGHT else f"error {end:.1g}"
     return word + ", warned" * said
 
 
@@ -190,15 +193,14 @@ def row(column, number, keywords):
 
 def page(lines, before):
     """With these rows, and the others of the program that the page had before."""
-    rows, news = [], 0
+    rows = []
     for keywords in settings():
         start = label(Setting(**keywords))
         new = [line for line in lines if line.startswith(start)]
         rows += new or [line for line in before.splitlines() if line.startswith(start)]
-        news += bool(new)
-    text = f"{len(rows)} of the {len(settings())} rows of the program, "
-    text += "one run." if news == len(rows) else f"{news} of them run after the others."
-    return "\n".join([PAGE, text + "\n", HEAD, *rows]) + "\n"
+    missing = len(settings()) - len(rows)
+    text = [f"{missing} of the {len(settings())} rows of the program are missing.", ""] if missing else []
+    return "\n".join([PAGE, *text, HEAD, *rows]) + "\n"
 
 
 def main():

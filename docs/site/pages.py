@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pages.py SOURCE_DIR FOLDER: puts the Markdown pages of the repository into FOLDER as Sphinx takes them, with a gallery
-of the examples and indexes of styles and entries that are made from the pages themselves.
+of the examples and indexes of styles, entries and warnings that are made from the pages themselves.
 
 A link to a folder becomes one to its README, a link to a file that is no page becomes its name: the site has no copy of
 the sources. Links to pages stay, and Sphinx fails where one is dead."""
@@ -10,6 +10,8 @@ import re
 import shutil
 import sys
 from pathlib import Path
+
+import message_index
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 FENCE = re.compile(r"(^```.*?^```\s*?$|`[^`\n]+`)", re.M | re.S)
@@ -22,13 +24,13 @@ SECTIONS = (
     ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
              "docs/costs.md")),
     ("Examples", ("gallery.md", "examples/README.md", "examples/*/README.md", "examples/*/studies.md")),
-    ("Indexes", ("styles.md", "entries.md")),
+    ("Indexes", ("styles.md", "entries.md", "warnings.md")),
     ("LAMMPS", ("lammps-package/README.md", "docs/lammps-package/*.md")),
     ("LIGGGHTS", ("liggghts-styles/README.md", "docs/liggghts-styles/*.md")),
     ("OpenFOAM", ("docs/openfoam-coupling/*.md",)),
     ("Tools", ("docs/tools/*.md",)),
     ("Theory", ("docs/theory/*.md",)),
-    ("Verification", ("docs/verification/*.md",)),
+    ("Verification", ("docs/verification/published_cases.md", "docs/verification/*.md")),
     ("Change", ("CHANGELOG.md", "CONTRIBUTING.md", "docs/deprecation.md", "docs/contributing_law.md", "docs/*.md")),
 )
 
@@ -94,7 +96,7 @@ class Site:
         for caption, patterns in SECTIONS:
             entries = []
             for pattern in patterns:
-                made = [Path(pattern)] if "/" not in pattern and pattern in ("gallery.md", "styles.md", "entries.md") else \
+                made = [Path(pattern)] if pattern in MADE else \
                     [page for page in self.pages if page.match(pattern) and len(page.parts) == len(Path(pattern).parts)]
                 entries += [page for page in made if page not in done]
                 done.update(made)
@@ -172,17 +174,13 @@ def styles(site):
             if str(page.parent) != folder:
                 continue
             whole = (site.source / page).read_text()
-            for line in re.findall(r"^# (.*)$", without_blocks(whole), re.M):
+            for line in re.findall(r"^# (.*)$", message_index.without_blocks(whole), re.M):
                 if not re.search(r" (command|model)$", line):
                     continue
                 for name in re.sub(r" (command|model)$", "", line).split(" command, "):
                     rows.append(f"| {name} | [{page.stem}]({page}) |")
         text += "\n".join(sorted(rows, key=str.lower)) + "\n"
     return text
-
-
-def without_blocks(text):
-    return re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
 
 
 def entries(site):
@@ -203,11 +201,15 @@ def entries(site):
             "the gas step.\n\n| entry | meaning | where |\n|---|---|---|\n" + "\n".join(sorted(rows, key=str.lower)) + "\n")
 
 
+#: Pages that are made here.
+MADE = {"gallery.md": gallery, "styles.md": styles, "entries.md": entries, str(message_index.PAGE): message_index.warnings}
+
+
 def main(source, folder):
     shutil.rmtree(folder, ignore_errors=True)
     site = Site(source, folder)
     site.copy_pages()
-    for name, make in (("gallery.md", gallery), ("styles.md", styles), ("entries.md", entries)):
+    for name, make in MADE.items():
         site.write(name, make(site))
     here = Path(__file__).parent
     (folder / "_static").mkdir()

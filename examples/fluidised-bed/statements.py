@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What M. Weber's thesis says of cohesive beds (chapters 6 to 8), and whether the beds of our studies say so too, as a
-table.
+"""Statements of M. Weber's thesis on cohesive beds (chapters 6 to 8), compared with the beds of a study, as a table.
 
     statements.py [--levels SUMMARY.csv] [--mechanisms SUMMARY.csv]
 
-SUMMARY.csv: what study.py leaves of cohesion-levels.csv and of mechanisms.csv."""
+SUMMARY.csv: written by study.py for cohesion-levels.csv and mechanisms.csv."""
 
 import argparse
 from pathlib import Path

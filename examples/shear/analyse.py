@@ -65,8 +65,8 @@ def rises(values):
     much), or unclear."""
     steps = [(b[0] - a[0]) / max(math.hypot(a[1], b[1]), 1e-300) for a, b in zip(values, values[1:])]
     if all(s > SURE for s in steps):
-        return "yes"
-    return "no" if any(s < -SURE for s in steps) else "unclear"
+        return "agrees"
+    return "differs" if any(s < -SURE for s in steps) else "cannot tell"
 
 
 HARDLY = 0.1  # a change below this share is hardly one
@@ -124,17 +124,17 @@ def findings(results):
     add("Two regimes: one large agglomerate, or mostly agglomerates of two",
         f"D 4, phi 0.2: largest {show(mild['largest'])} of all discs, pairs {show(mild['pairs'])} of all "
         f"agglomerates; D 16, phi 0.5: largest {show(strong['largest'])}, pairs {show(strong['pairs'])}",
-        "yes" if mild["pairs"][0] > 0.5 and strong["largest"][0] > 0.5 else "no")
+        "agrees" if mild["pairs"][0] > 0.5 and strong["largest"][0] > 0.5 else "differs")
     for D in sweep.TRANSITION:
         at = transition(results, D)
         if at is None:
-            add(f"Abrupt in phi, D {D}", "no transition between the fractions that were run", "no")
+            add(f"Abrupt in phi, D {D}", "no transition between the fractions that were run", "differs")
             continue
         phi, half, below, above = at
         add(f"Abrupt in phi, D {D}",
             f"largest agglomerate passes a tenth of all discs at phi {phi:.4f} +- {half:.4f}: "
             f"{below:.3f} to {above:.3f} within {2 * half:.3f}",
-            "yes" if above > 5 * below else "no")
+            "agrees" if above > 5 * below else "differs")
     for quantity, name in (("normal", "Normal stress"), ("stress_xy", "Shear stress")):
         for phis, sign in (((0.4, 0.5), "falls"), ((0.1, 0.2), "hardly changes")):
             labels = [(phi, D) for phi in phis for D in sweep.MILD[-2:]]
@@ -144,7 +144,7 @@ def findings(results):
             labels = [f"phi {phi}, D {D}" for phi, D in labels]
             add(f"{name} {sign} with D at phi {' and '.join(map(str, phis))}",
                 "over D 0: " + "; ".join(f"{label}: {show(c)}" for label, c in zip(labels, changes)),
-                together(labels, ["yes" if r else "no" for r in right]))
+                together(labels, ["agrees" if r else "differs" for r in right]))
     depths = sweep.MILD[1:]
     rise("Collision part of tau_xx rises with D",
          [(f"phi {phi}", along_depth("collision_xx", phi, (0, *depths))) for phi in (0.3, 0.4)])
@@ -157,7 +157,7 @@ def findings(results):
         add(f"... while capture falls by more, phi {phi}",
             f"D {depths[0]} to {depths[-1]}: collision {gain[0]:+.3f} +- {error[0]:.3f}, capture "
             f"{gain[1]:+.3f} +- {error[1]:.3f}",
-            "yes" if -gain[1] > gain[0] + SURE * math.hypot(*error) else "no")
+            "agrees" if -gain[1] > gain[0] + SURE * math.hypot(*error) else "differs")
     for quantity, name in (("duration", "Duration of agglomerates"), ("size", "Size")):
         rise(f"{name} grows with D",
              [(f"phi {phi}", along_depth(quantity, phi, depths)) for phi in (0.1, 0.3, 0.5)])

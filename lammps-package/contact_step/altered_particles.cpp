@@ -24,8 +24,9 @@ bool AlteredParticles::compare(int i, const double* saved) {
   return other || is_displaced(by);
 }
 
-/// Particles are wrapped into the box when a run begins. In a tilted box the engine transforms
-/// their coordinates there and back, which rounds them by some 2^-53 of the box.
+/// The engine wraps particles into the box when a run begins: displacements by whole boxes do not
+/// count. In a tilted box it transforms coordinates there and back, with a rounding of some 2^-53
+/// of the box.
 bool AlteredParticles::is_displaced(const Vector3& by) const {
   constexpr double rounding = 1e-13;
   const double* const h = domain->h;
@@ -49,7 +50,7 @@ bool AlteredParticles::is_altered(int i, int j) const {
   const Alteration& of_i = by_[i];
   if (j < 0) return of_i[3] != 0.0 || is_displaced(vector(of_i.data()));
   const Alteration& of_j = by_[j];
-  // A ghost may be an image through a side of the box that has moved.
+  // A ghost may be an image through a side of the box, which the script may have moved.
   if (j >= atom->nlocal && box_.moves_image(domain, atom->x[j])) return true;
   return of_i[3] != 0.0 || of_j[3] != 0.0 ||
          is_displaced(vector(of_j.data()) - vector(of_i.data()));

@@ -12,15 +12,15 @@
 
 namespace LAMMPS_NS {
 
-/// The particles that a script has displaced, or given another size or type, between two runs: what
-/// is remembered of their contacts does not tell whether they are in range now.
+/// Finds the particles that a script has displaced, resized or given another type between two runs.
+/// The stored state of their contacts does not say whether they are in range now.
 class AlteredParticles : protected Pointers {
  public:
   explicit AlteredParticles(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// Numbers that the last run leaves of a particle: position, radius, type and ID.
+  /// Numbers stored per particle at the end of a run: position, radius, type and ID.
   static constexpr int SAVED = 6;
-  /// Numbers that say what a particle was altered by.
+  /// Numbers per particle that describe its alteration (Alteration).
   static constexpr int EACH = 4;
 
   void save(int i, double* values) const;
@@ -28,17 +28,17 @@ class AlteredParticles : protected Pointers {
   static tagint id_of(const double* saved) { return static_cast<tagint>(saved[SAVED - 1]); }
   void save_id(int i, double* values) const { values[SAVED - 1] = atom->tag[i]; }
 
-  /// Room for particles and ghosts of which none is altered.
+  /// Allocates the alterations of all particles and ghosts, none of them altered yet.
   void start() { by_.assign(atom->nlocal + atom->nghost, {}); }
-  /// Compares own particle i with what save() left of it; gives whether it is altered.
+  /// Compares own particle i with the numbers of save(). Returns whether it was altered.
   bool compare(int i, const double* saved);
-  /// By what particle or ghost i was altered: those of ghosts come from their owners.
+  /// The alteration of particle or ghost i; the owner of a ghost sends its values.
   double* of(int i) { return by_[i].data(); }
-  /// Without room no particle is altered.
+  /// Frees the alterations; from then on no particle counts as altered.
   void forget() { by_.clear(); }
 
-  /// Whether anything but the motion of particle i and of particle or ghost j may have changed how
-  /// near they are, or what acts between them; j < 0: a wall.
+  /// Whether the distance of particle i and particle or ghost j, or the law between them, may have
+  /// changed other than by their motion. j < 0: a wall.
   bool is_altered(int i, int j) const;
 
  private:

@@ -45,7 +45,7 @@ inline bool ClosePairs::is_near(const ClosePair& p, const double* x, const doubl
   return dx * dx + dy * dy + dz * dz <= 1.0002 * reach * reach;
 }
 
-/// Puts the near ones of some close pairs into `near`, and returns their end.
+/// Selects the near pairs of a block of close pairs into `near`, and returns their end.
 const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair* stop,
                                         const ClosePair** near) const {
   const double* const x = atom->x[0];
@@ -53,7 +53,7 @@ const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair*
   const ClosePair** last = near;
   const double* const v = atom->v[0];
   const double* const spin = atom->omega[0];
-  if (most_remembered_) {  // as in packings, whose histories are one after the other
+  if (most_remembered_) {  // as in packings, whose histories are contiguous in memory
     for (const ClosePair* p = first; p != stop; p++) {
       cohesion::prefetch_line(x + 3 * p->j);
       cohesion::prefetch_line(v + 3 * p->j);
@@ -63,7 +63,7 @@ const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair*
     return last;
   }
   for (const ClosePair* p = first; p != stop; p++) {
-    *last = p;  // no branch: which pairs are near cannot be predicted
+    *last = p;  // without a branch, since the processor could not predict it
     last += (*p->has_history != 0) | is_near(*p, x, radius);
   }
   for (const ClosePair** p = near; p != last; p++) {
@@ -74,14 +74,14 @@ const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair*
   return last;
 }
 
-/// Whether a pair that is not known may have come as near as `reach`. Where neither radii nor the
-/// box have changed, what the fastest has travelled answers that for most steps.
+/// Whether a pair outside the close pairs may have a gap below `reach`. Where neither radii nor the
+/// box have changed, the displacement of the fastest particle decides this in most steps.
 bool ClosePairs::may_have_come(double reach, bool radii_as_found) const {
   if (radii_as_found && !domain->box_change && reach + 2.0 * travelled_ <= allowed_) return false;
   return reach + come_closer() > allowed_;
 }
 
-/// By how much the gap of a pair may have shrunk since the pairs were found, [length].
+/// Upper bound of the decrease of a pair's gap since the last search, [length].
 double ClosePairs::come_closer() const {
   const double* const now = atom->x[0];
   const double* const then = positions_.data();
@@ -96,8 +96,7 @@ double ClosePairs::come_closer() const {
   return 2.0 * (std::sqrt(furthest) + growth);
 }
 
-/// The pairs whose gap is below `allowed`: all others are too far apart until particles have moved
-/// or grown.
+/// Finds the pairs with a gap below `allowed`.
 void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool new_list) {
   count_ = 0;
   each_ = known.each;
@@ -114,7 +113,7 @@ void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool 
     const int* const neighbors = list.firstneigh[i];
     const int count = list.numneigh[i];
     const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
-    // With room for what other contacts do to a pair within a step.
+    // The factor leaves room for the impulses of other contacts within a step.
     const double near_i = 1.0001 * radius[i] + allowed_;
     if (pairs_.size() < count_ + count) pairs_.resize(2 * count_ + count);
     ClosePair* const first = pairs_.data() + count_;
@@ -125,7 +124,7 @@ void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool 
       const double dy = x[3 * j + 1] - yi;
       const double dz = x[3 * j + 2] - zi;
       const double near = near_i + radius[j];
-      // No branch: which pairs are near cannot be predicted.
+      // Without a branch, since the processor could not predict it.
       *last = {i, j, known.has_history[i] + jj, known.history[i] + known.each * jj};
       last += dx * dx + dy * dy + dz * dz <= near * near;
     }
@@ -135,7 +134,8 @@ void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool 
   count_remembered();
 }
 
-/// Only a particle that was put elsewhere can have left a partner that is not near any more.
+/// Clears the histories of pairs that are no longer close. Only particles that a script has
+/// displaced can have one.
 void ClosePairs::forget_others(int* has_history, int count, const ClosePair* near,
                                const ClosePair* end) {
   for (int jj = 0; jj < count; jj++) {

@@ -11,46 +11,46 @@
 
 namespace LAMMPS_NS {
 
-/// What is remembered of the pairs of the engine's list, by particle and place in its list of
-/// neighbours; it stays where it is until the list is made anew.
+/// The contact histories of the pairs in the engine's neighbour list, by particle and index in its
+/// list. Their addresses are valid until the list is rebuilt.
 struct RememberedPairs {
   int* const* has_history;
   double* const* history;
-  int each;  ///< numbers of history
+  int each;  ///< numbers per history
 };
 
-/// Two particles that may soon touch, and what is remembered of them.
+/// Two particles that may soon touch, with their contact history.
 struct ClosePair {
   int i, j;
   int* has_history;
   double* history;
 };
 
-/// The pairs of the engine's list of neighbours that are near each other. Most pairs of that list
-/// are a skin apart. Those whose gap is below `allowed` are enough until particles have moved or
-/// grown so far that others could come as near as is asked for.
+/// The close pairs of the engine's neighbour list. Most pairs of that list are a skin apart. Those
+/// with a gap below `allowed` suffice until particles have moved or grown so far that another pair
+/// could be within the requested reach.
 class ClosePairs : protected Pointers {
  public:
   explicit ClosePairs(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// Before a run: the engine's list has every pair with a gap up to `allowed` [length].
+  /// To be called before a run. `allowed` [length]: the engine's list contains all pairs with a gap
+  /// up to this.
   void start(double allowed);
   double allowed() const { return allowed_; }
-  /// Within a run: the engine's list has every pair with a gap up to `allowed` [length], from now
-  /// on.
+  /// The same within a run, where that gap has changed.
   void allow(double allowed) {
     if (allowed != allowed_) start(allowed);
   }
 
-  /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(),
-  /// unless they are known. When the engine's list is new, pairs that are not close lose the mark
-  /// `has_history`. `travelled` [length]: at most what a particle has moved by since the last call;
-  /// `radii`: another number where radii have changed since then.
+  /// Searches `list` again if a pair outside the close pairs may have a gap below `reach` [length],
+  /// which is at most allowed(). After a rebuild of the engine's list, pairs that are not close
+  /// lose their history. `travelled` [length]: upper bound of the displacement of a particle since
+  /// the last call; `radii`: differs from the last call's number if radii have changed.
   void update(const class NeighList& list, double reach, double travelled, long radii,
               const RememberedPairs& known);
 
-  /// Calls what(ClosePair) for the pairs that have a history or a gap below `reach`, in the order
-  /// of the list; some at a time, whose memory, where it lies far apart, is fetched meanwhile.
+  /// Calls what(ClosePair) for the pairs with a history or a gap below `reach`, in the order of the
+  /// list. Pairs are selected in blocks, so that their data can be prefetched.
   template <class What>
   [[gnu::always_inline]] void for_each_near(const What& what) const {
     const ClosePair* some[AT_A_TIME];
@@ -78,15 +78,15 @@ class ClosePairs : protected Pointers {
 
   double allowed_ = 0.0;
   double reach_ = 0.0;
-  double travelled_ = 0.0;  // at most, by a particle, since the pairs were found
+  double travelled_ = 0.0;  // upper bound per particle, since the last search
   std::size_t count_ = 0;
-  int each_ = 0;                   // numbers of history
-  bool most_remembered_ = false;   // of the pairs, when they were counted
-  int since_counted_ = 0;          // steps
+  int each_ = 0;                   // numbers per history
+  bool most_remembered_ = false;   // whether most pairs had a history at the last count
+  int since_counted_ = 0;          // steps since then
   std::vector<ClosePair> pairs_;   // the first `count_` of these
-  std::vector<double> radii_;      // per atom and ghost, when the pairs were found
-  long radii_version_ = 0;         // of those
-  std::vector<double> positions_;  // the same; empty: not found yet
+  std::vector<double> radii_;      // per atom and ghost, at the last search
+  long radii_version_ = 0;         // of these radii
+  std::vector<double> positions_;  // likewise; empty before the first search
 };
 
 }  // namespace LAMMPS_NS

@@ -7,10 +7,10 @@
 #include "contact_solver/pair_motion.h"
 #include "contact_step/fix_contact_step.h"
 
-// How contacts of pairs and of walls are computed, and how what they do reaches the particles.
+// Computes contacts of pairs and walls, and adds their forces and torques to those of the engine.
 //
-// Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
-// keeps such in memory, the others in registers, which costs a contact a tenth.
+// Local variables of a struct type are not `const` here and in the contact laws: GCC 12 keeps
+// constant ones in memory instead of registers, which makes a contact 10 % slower.
 
 namespace LAMMPS_NS {
 
@@ -21,7 +21,7 @@ using cohesion::contact_solver::ContactHistory;
 using cohesion::contact_solver::ContactState;
 using HistorySize = ContactHistory::Size;
 
-/// Contacts of one kind, of one process, in one step. j < 0: a wall.
+/// The contacts of one style on one rank in one step. j < 0: a wall.
 template <class Contact, int SIZE>
 class ContactForces {
  public:
@@ -40,15 +40,15 @@ class ContactForces {
         persistent_(!step->energy_tally.is_active() && !step->starts() &&
                     !step->has_other_length()) {}
 
-  /// Force that stands for an impulse.
+  /// Force that represents a unit impulse in this step, [1/time].
   double kick() const { return kick_; }
-  /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
-  /// images, is met twice.
+  /// The fraction of a pair's energies that this rank counts: a pair across ranks, or across a
+  /// periodic face, is computed twice.
   double owned_fraction(int j) const { return j < nlocal_ ? 1.0 : 0.5; }
 
-  /// Computes a contact that was persistent and certainly is so in this step, of which the energy
-  /// tally asks nothing: what most contacts of a bed need, and only that. `does`: what it does;
-  /// linear: as ExactContact has it. False: nothing is done.
+  /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
+  /// step, without energies. `does`: its impulses; `linear`: as in ExactContact. Returns false, and
+  /// does nothing, for any other contact.
   template <bool linear>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, int i, int j,
                                                const PairMotion& now, double* values,
@@ -66,8 +66,8 @@ class ContactForces {
     return true;
   }
 
-  /// Computes any contact; gives what it does. `of_wall`: acceleration of a wall [length/time^2];
-  /// `energies`: of which the tally gets what it needs.
+  /// Computes any contact, and returns its impulses. `of_wall` [length/time^2]: acceleration of a
+  /// wall; `energies`: filled for the energy balance if not null.
   FrictionalStep apply(const Contact& c, int i, int j, const PairMotion& now,
                        const Vector3& of_wall, ContactHistory& history,
                        ContactEnergies* energies) const {
@@ -97,7 +97,8 @@ class ContactForces {
     step_->impulses.push<SIZE>(i, impulse, turn);
   }
 
-  /// Excludes a force on j, and its reverse on i, from the accelerations that the next step reads.
+  /// Excludes a force on j, and the opposite one on i, from the accelerations that the next step
+  /// uses as external ones.
   [[gnu::noinline, gnu::cold]] void exclude(const Contact& c, int i, int j, Vector3 on_j) const {
     if (c.bodies().inverse_mass_i() > 0.0) step_->add_impulsive_force(i, -on_j);
     if (is_own(j) && c.bodies().inverse_mass_j() > 0.0) step_->add_impulsive_force(j, on_j);

@@ -11,7 +11,7 @@ void ContactImpulses::begin_step(double kick, bool known) {
   ended_ = false;
 }
 
-/// Numbers that are all alike to the bit, and the first of them is 0.
+/// Whether all numbers are 0: the first is, and each equals its successor bit by bit.
 static bool all_zero(const double* numbers, int count) {
   return numbers[0] == 0.0 && std::memcmp(numbers, numbers + 1, (count - 1) * sizeof(double)) == 0;
 }

@@ -11,29 +11,28 @@
 
 namespace LAMMPS_NS {
 
-/// What the contacts of a step do to the particles of this process: impulses and angular impulses,
-/// which reach the engine as forces and torques. Where somebody asks which part of the engine's
-/// forces is theirs, it is what came to be between begin_contacts() and end_contacts(), and what
-/// push() adds after that: nothing needs to be added up twice.
+/// Adds the impulses and angular impulses of the contacts of a step to the forces and torques of
+/// the engine. If an output needs the contacts' share of these, it is the difference between
+/// begin_contacts() and end_contacts(), plus the later calls of push().
 class ContactImpulses : protected Pointers {
  public:
   using ContactHistory = cohesion::contact_solver::ContactHistory;
 
   explicit ContactImpulses(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// A step in which an impulse 1 is the force `kick` [1/time]; known: whether somebody asks which
-  /// part of the engine's forces and torques is of contacts.
+  /// Begins a step. `kick` [1/time]: the force that represents a unit impulse; `known`: whether an
+  /// output needs the contacts' share of the engine's forces and torques.
   void begin_step(double kick, bool known);
-  /// Keeps no account until the next step begins, in which no contact acts.
+  /// Stores no share until the next step begins; no contact acts in between.
   void disable() { known_ = false; }
 
-  /// Between these two nothing but contacts adds to the engine's forces.
+  /// Between these two calls only contacts add to the engine's forces.
   void begin_contacts();
   void end_contacts();
 
-  /// Force that gives a particle the impulse 1 in this step, [1/time].
+  /// Force that represents a unit impulse in this step, [1/time].
   double kick() const { return kick_; }
-  /// On particle i.
+  /// Adds an impulse and an angular impulse on particle i.
   template <int SIZE>
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
                                    const cohesion::Vector3& turned) {
@@ -47,8 +46,8 @@ class ContactImpulses : protected Pointers {
   /// The force and torque of contacts on particle i, after end_contacts().
   cohesion::Vector3 force(int i) const { return cohesion::vector(&forces_[3 * i]); }
   cohesion::Vector3 torque(int i) const { return cohesion::vector(&torques_[3 * i]); }
-  /// The force of all but contacts on particle i, once the engine has all forces of the step; 0
-  /// where nobody asks.
+  /// The force on particle i without that of contacts, when all forces of the step are summed; 0 if
+  /// no output needs it.
   cohesion::Vector3 other_force(int i) const {
     return known_ ? cohesion::vector(atom->f[i]) - force(i) : cohesion::Vector3{};
   }
@@ -68,12 +67,12 @@ class ContactImpulses : protected Pointers {
   static void store_other(Numbers& before, const double* const* now, int particles);
   static void subtract_other(Numbers& before, const double* const* now, int particles);
 
-  // After end_contacts() those of contacts; between begin_contacts() and end_contacts() the
-  // engine's at begin_contacts(), or none where those were 0.
+  // Between begin_contacts() and end_contacts() the engine's values at begin_contacts(), empty if
+  // all were 0; after end_contacts() the contacts' share.
   Numbers forces_, torques_;
   double kick_ = 0.0;
   bool known_ = false;
-  bool ended_ = false;  // and known to somebody
+  bool ended_ = false;  // and an output needs the share
 };
 
 }  // namespace LAMMPS_NS

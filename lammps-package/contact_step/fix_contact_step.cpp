@@ -25,8 +25,8 @@ using cohesion::contact_solver::Passage;
 static constexpr char ID[] = "COHESION_CONTACT_STEP";
 static constexpr char PLACE[] = "COHESION_CONTACT_STEP_PLACE";
 
-// What the next run needs of a particle: forces, torques, forces of impulses, and what
-// AlteredParticles compares with, where they begin.
+// Offsets of the numbers of a particle that the next run needs: force, torque, force of impulses,
+// and the numbers of AlteredParticles.
 static constexpr int TORQUE = 3, IMPULSIVE = 6, PARTICLE = IMPULSIVE + 3,
                      LAST = PARTICLE + AlteredParticles::SAVED;
 
@@ -67,7 +67,7 @@ FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
-  force_reneighbor = 1;  // styles set when
+  force_reneighbor = 1;  // styles set next_reneighbor
   next_reneighbor = -1;
   FixContactStep::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
@@ -99,7 +99,7 @@ int FixContactStep::setmask() {
          FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
-/// Whether a step has nothing to do for any particle.
+/// Whether no contact can act and no output needs the energies or fluxes of contacts.
 bool FixContactStep::is_idle() const {
   return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
@@ -107,7 +107,7 @@ bool FixContactStep::is_idle() const {
 double FixContactStep::length() const { return update->dt; }
 
 void FixContactStep::setup_pre_force(int) {
-  forget_impulses();  // `last` has them
+  forget_impulses();  // `last` contains them
   resuming = last.has_room();
   starting = !resuming;
   step_due = false;
@@ -132,8 +132,8 @@ void FixContactStep::setup_pre_force(int) {
   altered.forget();
 }
 
-/// Finds what scripts have altered since the last run, whose contacts are known by their positions
-/// from here on.
+/// Finds the particles that scripts have altered since the last run, and stores the current ones in
+/// their place.
 void FixContactStep::find_altered() {
   altered.start();
   flagged.assign(atom->nlocal + atom->nghost, 0);
@@ -148,7 +148,8 @@ void FixContactStep::find_altered() {
   if (all) forward_flagged(flagged, &FixContactStep::alteration, AlteredParticles::EACH);
 }
 
-/// What contacts remember goes by the IDs of particles.
+/// Contact histories are stored by particle ID: styles adapt them when the script has renumbered
+/// the particles.
 void FixContactStep::follow_renumbering() {
   if (!last.has_room()) return;
   std::vector<tagint> before;
@@ -160,15 +161,15 @@ void FixContactStep::follow_renumbering() {
   for (int i = 0; i < atom->nlocal; i++) altered.save_id(i, last.of(i) + PARTICLE);
 }
 
-/// The first step has no half kick before it: what its velocities are, they truly are.
+/// Before the first step, velocities are those of the time level itself, not staggered ones.
 void FixContactStep::setup(int) {
   post_force(0);
   if (idle) impulses.disable();
 }
 
 void FixContactStep::initial_integrate(int) {
-  running = true;  // a run without set-up begins here
-  // The time level before this step is to end, and tallies begin with what there is then.
+  running = true;  // also in a run without set-up
+  // Ends the time level before this step, from whose energies the balances start.
   update->ntimestep--;
   end_start();
   if (energy_tally.is_active() && !tallies_begun) begin_tallies();
@@ -188,15 +189,15 @@ void FixContactStep::initial_integrate(int) {
   keep_impulses();
 }
 
-/// Forces are all there when the next step begins.
+/// At the beginning of a step, the forces of the last one are complete.
 void FixContactStep::save_accelerations() {
   for (int i = 0; i < atom->nlocal; i++)
     put(inverse_mass[i] * (vector(atom->f[i]) - impulsive_forces[i]), accelerations.of(i));
 }
 
-/// A force f has given f dt/2, and gives f dt'/2 now, where the step is another: for those of
-/// persistent contacts that is right to second order. Impulses become f dt/dt'. Fixes that hold
-/// particles have set forces on them to 0.
+/// A force f has already given the momentum f dt/2, and gives f dt'/2 in a step of another length.
+/// For forces of persistent contacts this is right to second order. Forces that represent impulses
+/// are scaled by dt/dt'. On held particles, fixes have set them to 0.
 void FixContactStep::keep_impulses() {
   const double more = forces_dt / update->dt - 1.0;
   if (more != 0.0)
@@ -204,7 +205,7 @@ void FixContactStep::keep_impulses() {
       const double forces[] = {impulsive_forces[i].x, impulsive_forces[i].y, impulsive_forces[i].z};
       for (int k = 0; k < 3; k++)
         if (atom->f[i][k] != 0.0) atom->f[i][k] += more * forces[k];
-      impulsive_forces[i] = {};  // a particle may be there twice
+      impulsive_forces[i] = {};  // the list may contain a particle twice
     }
   forget_impulses();
 }
@@ -214,7 +215,7 @@ void FixContactStep::forget_impulses() {
   impulsive_particles.clear();
 }
 
-/// Tallies begin when all fixes have been set up; a run of no step ends then.
+/// Energy balances begin when all fixes have been set up, or at the end of a run without steps.
 void FixContactStep::begin_tallies() {
   for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
   tallies_begun = true;
@@ -234,15 +235,15 @@ void FixContactStep::post_force(int) {
   if (!idle && mobile.held().any()) hold_spins();
 }
 
-/// A sphere that is held in its place is as heavy for friction as for the normal force: it must not
-/// turn either. Walls, which act later, leave it alone.
+/// A held sphere has infinite mass for friction, too, so it must not turn. Walls act later, and
+/// exert no torque on it.
 void FixContactStep::hold_spins() {
   for (int i = 0; i < atom->nlocal; i++)
     if (mobile.is_held_but_turned(atom->mask[i])) std::fill_n(atom->torque[i], 3, 0.0);
 }
 
-/// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
-/// its particles may be others.
+/// Runs the time-step check when it is due: in a continued run, too, whose step, coefficients and
+/// particles may have changed.
 void FixContactStep::advise_if_due(bool setup) {
   if (advised.empty() || !watch.due(setup)) return;
   AdviceOfStyles advice;
@@ -250,7 +251,7 @@ void FixContactStep::advise_if_due(bool setup) {
   advice.print(lmp);
 }
 
-/// With the first forces of a step; false: it has begun.
+/// Begins the step. Returns false if another style has begun it already.
 bool FixContactStep::begin_step() {
   if (!step_due) return false;
   step_due = false;
@@ -259,8 +260,8 @@ bool FixContactStep::begin_step() {
   update_particles();
   update_readers();
   if (any_exact_scheme && !starting) forward_accelerations();
-  // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
-  // for the first step, which has no half before it.
+  // A force f gives the momentum f dt/2 in the half step that follows. The half step before gave
+  // the same, except in the first step of a run.
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, energy_tally.is_active());
   energy_tally.begin_step(atom->nlocal);
   impulses.begin_contacts();
@@ -274,7 +275,7 @@ void FixContactStep::update_readers() {
   flux_wanted = flux_readers.use_count() > 1;
 }
 
-/// Ends the first time level of a run, once all of its forces are there.
+/// Ends the first time level of a run, when all of its forces are summed.
 void FixContactStep::end_start() {
   if (starting && !idle && energy_tally.is_active()) tally_work(true);
   starting = false;
@@ -284,10 +285,10 @@ void FixContactStep::end_of_step() {
   if (!idle && energy_tally.is_active()) tally_work(false);
 }
 
-/// The work of the forces of this time level: of all but those of contacts, and gravity, and of
-/// friction.
+/// Adds the work of friction and of all other forces except contacts and gravity at this time level
+/// to the energy balance.
 void FixContactStep::tally_work(bool starts) {
-  const double half = 0.5 * forces_dt;  // the next step may be another by now
+  const double half = 0.5 * forces_dt;  // update->dt may be that of the next step already
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     if (inverse_mass[i] == 0.0) continue;
@@ -314,14 +315,15 @@ void FixContactStep::post_run() {
   tallies_begun = false;
   running = false;
   altered.save_box();
-  if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
+  if (resuming) return;  // no step was made: `last` is still valid for the next run
   tally_unknown = !idle && !energy_tally.is_active();
   last.grow(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
 }
 
-/// What the next run needs of a particle. One that is held has no forces of its contacts, and those
-/// of fixes alone must not move it where it is released.
+/// Stores the numbers of a particle that the next run needs. The forces of a held particle are not
+/// stored: contacts exert none on it, and those of fixes alone must not move it when it is
+/// released.
 void FixContactStep::save_last(int i, double* values) const {
   std::fill_n(values, PARTICLE, 0.0);
   if (inverse_mass[i] > 0.0) {

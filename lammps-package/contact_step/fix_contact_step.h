@@ -27,7 +27,7 @@ FixStyle(CONTACT_STEP,FixContactStep);
 
 namespace LAMMPS_NS {
 
-/// What contacts must know of each particle and ghost.
+/// Radii and inverse masses of particles and ghosts.
 struct Bodies {
   const double* radius;
   const double* inverse_mass;
@@ -35,28 +35,28 @@ struct Bodies {
   cohesion::contact_solver::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
 };
 
-/// What all soft contacts share, made by the first style that has some: masses and sizes, and how
-/// the forces of the last step accelerated each particle, ghosts included. That is what a contact
-/// of the exact scheme knows of the others of its particles
-/// (src/contact_solver/contact_solver.h). Impulses that were over within that step are left out.
+/// The data that all soft contacts share: masses, radii, and the acceleration of each particle and
+/// ghost by the forces of the last step, without impulses that acted within that step. The exact
+/// scheme uses this acceleration as the external one of a contact
+/// (src/contact_solver/contact_solver.h). The first style with soft contacts creates this fix.
 ///
-/// A fix cannot make another one in its constructor: those that need this one call of() in
+/// A fix cannot create another one in its constructor: fixes that need this one call of() in
 /// post_constructor().
 ///
-/// A run that continues another, in the same input or from a restart, starts from the forces the
-/// last step ended with: positions are those of n, velocities those of n-1/2, and the forces of
-/// step n cannot be worked out again from the velocities at n.
+/// A run that continues another, in the same input or from a restart, starts from the forces of the
+/// last step. They cannot be recomputed: positions are those of time level n, velocities were those
+/// of n-1/2 when the forces were computed.
 class FixContactStep : public Fix {
  public:
   FixContactStep(class LAMMPS*, int, char**);
   ~FixContactStep() override;
 
-  /// Keeps the place in the list of fixes, before those that integrate: for the constructor of a
-  /// pair style, which may run while a restart file is read. The fix itself finds what the file
-  /// holds for it only afterwards.
+  /// Reserves the position in the list of fixes, before those that integrate. Constructors of pair
+  /// styles call this, since they may run while a restart file is read, and the engine hands the
+  /// data of the file to fixes only afterwards.
   static void reserve(class LAMMPS*);
-  /// The one of this run; made when there is none. Not before a restart file has been read to its
-  /// end, and not after the engine has begun to init its fixes.
+  /// The fix of this engine, created if there is none. Not to be called before a restart file has
+  /// been read to its end, nor after the engine has begun to init its fixes.
   static FixContactStep* of(class LAMMPS*);
 
   int setmask() override;
@@ -84,27 +84,27 @@ class FixContactStep : public Fix {
   int size_restart(int) override;
   double memory_usage() override;
 
-  /// The forces of the last step are taken over, and no contact is computed.
+  /// Whether this set-up continues with the forces of the last step and computes no contact.
   bool resumes() const { return resuming; }
-  /// Whether a run that does so finds the contact of i and j (below 0: a wall) other than their
-  /// motion left it: AlteredParticles.
+  /// Whether a script has altered the contact of i and j since the last run (AlteredParticles); j <
+  /// 0: a wall.
   bool is_altered(int i, int j) const { return altered.is_altered(i, j); }
-  /// The last run ended early, in a step of which the energy tally, not active, keeps nothing.
+  /// Whether the last run ended in a step without energy balance, so that its totals are unknown.
   bool last_tally_unknown() const { return tally_unknown; }
-  /// The first step of a run that takes over nothing.
+  /// Whether this is the first step of a run that continues no other.
   bool starts() const { return starting; }
-  /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
+  /// Particle or ghost i. A particle that no fix integrates has inverse mass 0.
   cohesion::contact_solver::Body body(int i) const { return bodies()[i]; }
   Bodies bodies() const { return {atom->radius, inverse_mass}; }
-  /// Whether a fix may carry along a particle that has inverse mass 0.
+  /// Whether a fix may move a particle that has inverse mass 0.
   bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
-  /// Whether a relative velocity [length/time] takes particle i out of the contact that is known of
-  /// it. What fix freeze leaves of the velocity of a particle at rest does not.
+  /// Whether a relative velocity [length/time] changes the contact of particle i. The residual
+  /// velocity that fix freeze leaves of a particle at rest does not.
   bool carries_along(int i, const cohesion::Vector3& velocity) const {
     constexpr double at_rest = 1e-9;  // way in a step over the radius
     return length() * norm(velocity) > at_rest * atom->radius[i];
   }
-  /// A contact of the exact scheme, or a sampled one, in this step.
+  /// A contact of the exact or the sampled scheme, for this step.
   template <class Contact>
   Contact contact(const cohesion::contact::ContactParameters& parameters,
                   const typename Contact::Attraction& attraction,
@@ -115,44 +115,45 @@ class FixContactStep : public Fix {
     else
       return {parameters, attraction, i, j, {starting ? 0.0 : 0.5 * length(), 0.5 * length()}};
   }
-  /// Of the step, [time].
+  /// Length of the step, [time].
   double length() const;
-  /// Of the step before, [time], and whether that is another one.
+  /// Length of the last step, [time], and whether it differs.
   double last_length() const { return before_dt; }
   bool has_other_length() const { return before_dt != length(); }
-  /// How all forces of the last step but impulses accelerated j less i, [length/time^2]; j < 0: a
-  /// wall.
+  /// Length of the step with which the current forces of contacts were computed, [time].
+  double forces_length() const { return forces_dt; }
+  /// Acceleration of j relative to i by the forces of the last step without impulses,
+  /// [length/time^2]; j < 0: a wall.
   cohesion::Vector3 relative_acceleration(int i, int j) const {
     const cohesion::Vector3 of_i = cohesion::vector(accelerations.of(i));
     return j < 0 ? -of_i : cohesion::vector(accelerations.of(j)) - of_i;
   }
-  /// How far these may move a pair in this step, [length].
+  /// Upper bound of the relative displacement by these accelerations in this step, [length].
   double moved_by_forces() const { return 2.0 * largest_acceleration * length() * length(); }
-  /// Another number than in the step before if radii have changed or the list of neighbours is new.
+  /// Differs from the number of the last step if radii have changed or the neighbour list is new.
   long version_of_radii() const { return radii_version; }
-  /// How far a particle or ghost of this rank may fly in half a step, [length].
+  /// Upper bound of the displacement of a particle or ghost in half a step, [length].
   double flight() const { return longest_flight; }
 
-  /// What contacts do in this step.
+  /// Impulses of the contacts in this step.
   ContactImpulses impulses;
-  /// The energy of contacts.
+  /// Energy balance of the contacts.
   ContactEnergyTally energy_tally;
 
-  /// Sum of the contacts of pairs so far; it goes on while somebody holds what add_flux_reader()
-  /// gives.
+  /// Momentum fluxes of pairs, summed up as long as a handle of add_flux_reader() exists.
   cohesion::contact_solver::FluxParts flux;
   [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
-  /// Adds to the impulses of edges on a particle of this rank, [force].
+  /// Adds a force [force] of an impulse at the edge of a range, on own particle i.
   void add_impulsive_force(int i, const cohesion::Vector3& on_it) {
     impulsive_forces[i] += on_it;
     impulsive_particles.push_back(i);
   }
-  /// Counts a contact whose step was cut short.
+  /// Counts a contact that was not resolved to the end of the step.
   void count_unresolved(double fraction) { unresolved += fraction; }
-  /// Calls compute(), which computes the contacts of a style; the first style of a step begins it,
-  /// when fixes have changed what they change before.
+  /// Calls compute(), which computes the contacts of a style. The first style of a step begins the
+  /// step, after fixes have changed masses, radii or groups.
   template <class Compute>
   void compute_contacts(const Compute& compute) {
     const bool first = begin_step();
@@ -195,39 +196,38 @@ class FixContactStep : public Fix {
   std::vector<AdvisedStyle*> advised;     // the same
   LammpsWatch watch;
 
-  char* forwarded_flags;       // per atom and ghost, of what goes to ghosts now: whether it has any
-  NumbersOf forwarded_values;  // those, `values_each` of each
+  char* forwarded_flags;       // per atom and ghost: whether it has values to forward
+  NumbersOf forwarded_values;  // these values, `values_each` per particle
   int values_each;
-  bool may_have_contacts;  // whether any pair or wall may have one, in this run
-  bool idle;               // no contact is computed, and nobody reads what they do
+  bool may_have_contacts;  // whether any style may have one in this run
+  bool idle;               // no contact can act, and no output reads any
   bool resuming;
   bool starting;
   bool running;
-  bool tallies_begun;  // in this run
+  bool tallies_begun;  // energy balances, in this run
   bool tally_unknown;  // last_tally_unknown()
   bool warned_of_unturned, warned_of_held, warned_of_partly_held;
   bool warned_of_unmoved = false;
-  std::set<std::string> warned_of_walls;  // what was said of them
-  AlteredParticles altered;               // as a run that takes over forces is set up
-  double forces_dt;                       // of the step that the forces are of; 0: there was none
-  AtomNumbers last;           // from the end of a run to the first step of the next: save_last()
-  double before_dt = 0.0;     // of the step before
-  AtomNumbers accelerations;  // by the forces of the last step, of atoms and ghosts
-  double largest_acceleration = 0.0;  // of those
-  bool step_due = false;              // begin_step()
-  std::vector<cohesion::Vector3>
-      impulsive_forces;                  // per atom: add_impulsive_force(), until the next step
-  std::vector<int> impulsive_particles;  // with an impulsive force; some more than once
-  bool any_exact_scheme = false;         // any style, in this run
-  bool any_dynamic_group = false;        // of particles that fixes move or freeze, likewise
-  std::vector<char> flagged;             // of what is forwarded
+  std::set<std::string> warned_of_walls;  // texts of the warnings so far
+  AlteredParticles altered;               // filled while a continued run is set up
+  double forces_dt;                       // step of the current forces; 0 before the first
+  AtomNumbers last;                       // between two runs: save_last()
+  double before_dt = 0.0;                 // last step
+  AtomNumbers accelerations;              // of atoms and ghosts, by the forces of the last step
+  double largest_acceleration = 0.0;      // of these
+  bool step_due = false;                  // begin_step()
+  std::vector<cohesion::Vector3> impulsive_forces;  // per atom, of this step: add_impulsive_force()
+  std::vector<int> impulsive_particles;  // indices of atoms with such forces, with repetitions
+  bool any_exact_scheme = false;         // whether any style of this run has it
+  bool any_dynamic_group = false;        // whether fixes move or freeze such a group
+  std::vector<char> flagged;             // storage of forwarded_flags
   double* inverse_mass;                  // per atom and ghost
-  std::vector<double> known_masses;      // the masses inverse_mass is of; empty: of none
-  std::vector<double> known_radii;       // radii_version is of these
+  std::vector<double> known_masses;      // inverse_mass belongs to these; empty: not computed yet
+  std::vector<double> known_radii;       // radii_version belongs to these
   long radii_version = 0;
   double longest_flight;
-  double unresolved;                        // steps of contacts that were cut short, in this run
-  ContactEnergyTally::Reader flux_readers;  // copies of this are out
+  double unresolved;                        // contacts not resolved to the end of a step, this run
+  ContactEnergyTally::Reader flux_readers;  // its use count is the number of readers
   bool flux_wanted;
   MobileParticles mobile;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixContactStep that keeps numbers of particles: of this step, for their ghosts, for
-// the process they go to, and for restart files.
+// The part of FixContactStep that stores numbers per particle, and sends them to ghosts, to other
+// ranks and to restart files.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -20,11 +20,11 @@
 
 using namespace LAMMPS_NS;
 
-/// Updates how far the fastest particle or ghost of all ranks may fly, and all masses and radii.
+/// Updates longest_flight over all ranks, and all masses and radii.
 void FixContactStep::update_particles() {
   const int all = atom->nlocal + atom->nghost;
   double fastest = fastest_of(atom, domain, number_of_movers(lmp));
-  // Two ranks that have the particles of a pair must decide alike.
+  // Both ranks that compute a pair must use the same bound.
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
   longest_flight = cohesion::shear::longest_flight(fastest, rate_of_shear(domain).amount,
                                                    neighbor->cutneighmax, 0.5 * update->dt);
@@ -32,9 +32,9 @@ void FixContactStep::update_particles() {
   update_radii(all);
 }
 
-/// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
-/// Groups count as they were when the list of neighbours was new, when ghosts get theirs, but for
-/// dynamic ones.
+/// Masses may change in any step (fix adapt); the comparison costs next to nothing. Groups are
+/// those of the last rebuild of the neighbour list, when ghosts receive theirs, except dynamic
+/// ones.
 void FixContactStep::update_masses(int all) {
   const double* const mass = atom->rmass;
   if (any_dynamic_group) return update_masses_by_owners(all);
@@ -48,7 +48,7 @@ void FixContactStep::update_masses(int all) {
   known_masses.assign(mass, mass + all);
 }
 
-/// The same where owners alone know in each step what moves their particles.
+/// The same with dynamic groups, of which only owners know whether they move their particles.
 void FixContactStep::update_masses_by_owners(int all) {
   std::vector<char> moves(all, 0);
   for (int i = 0; i < atom->nlocal; i++) moves[i] = mobile.inverse_mass(atom->mask[i], 1.0) != 0.0;
@@ -65,7 +65,7 @@ void FixContactStep::update_radii(int all) {
   radii_version++;
 }
 
-/// Gives ghosts the accelerations of their owners, and finds the largest.
+/// Sends the accelerations of particles to their ghosts, and finds the largest.
 void FixContactStep::forward_accelerations() {
   const int all = atom->nlocal + atom->nghost;
   if (atom->nghost > 0 || comm->nprocs > 1) {
@@ -85,7 +85,7 @@ void FixContactStep::forward_accelerations() {
   largest_acceleration = std::sqrt(largest);
 }
 
-/// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
+/// Sends flags to ghosts, and `each` values of every flagged particle.
 void FixContactStep::forward_flagged(std::vector<char>& flags, NumbersOf values, int each) {
   std::fill(flags.begin() + atom->nlocal, flags.end(), 0);
   forwarded_flags = flags.data();
@@ -94,9 +94,8 @@ void FixContactStep::forward_flagged(std::vector<char>& flags, NumbersOf values,
   engine_api::forward_comm(comm, this, 1 + each);
 }
 
-/// Packs, of the particles that are flagged, their places in the list and their values; -1 after
-/// the last one, where the list does not end with it. A ghost that is passed on has what its owner
-/// sent.
+/// Packs indices and values of the flagged particles, and -1 after the last one unless the list
+/// ends with it. Ghosts that are passed on have the values of their owner.
 int FixContactStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   double* end = buf;
   for (int k = 0; k < n; k++) {
@@ -144,8 +143,8 @@ int FixContactStep::unpack_exchange(int i, double* buf) {
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
-// Numbers of a restart file in front of the tally's: its layout, the step, and whether the tally
-// is not known.
+// Numbers of a restart file before the totals of the energy balance: layout, step, and whether
+// these totals are unknown.
 static constexpr int LAYOUT = 6, HEAD = 3;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
@@ -175,10 +174,10 @@ void FixContactStep::restart(char* buf) {
 }
 
 int FixContactStep::pack_restart(int i, double* buf) {
-  // The engine's own forces may have stayed behind when particles changed rank.
+  // The engine does not send forces with particles that change rank; `last` is sent.
   if (!running && last.has_room()) return last.pack_restart(i, buf);
   buf[0] = last.size_restart();
-  std::fill_n(buf + 1, last.size(), 0.0);  // before the first run
+  std::fill_n(buf + 1, last.size(), 0.0);  // zeros before the first run
   if (running) save_last(i, buf + 1);
   return last.size_restart();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixContactStep that finds, as a run is set up, whose contacts it orders and what else
-// acts on their particles, and refuses what it cannot follow.
+// The part of FixContactStep that finds the styles and the other fixes of a run at set-up, and
+// stops runs that it cannot integrate.
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -72,7 +72,7 @@ void FixContactStep::init() {
   follow_renumbering();
 }
 
-/// A contact moves one sphere, by its own mass.
+/// Contacts use the masses of single spheres, not those of rigid bodies.
 void FixContactStep::refuse_rigid_bodies() const {
   if (!may_have_contacts) return;
   for (int i = 0; i < modify->nfix; i++) {
@@ -86,7 +86,7 @@ void FixContactStep::refuse_rigid_bodies() const {
   }
 }
 
-/// What friction does in a step, and what a spin holds of energy, is of spheres.
+/// Friction and rotational energy use the moment of inertia of spheres.
 void FixContactStep::require_spheres() {
   const bool matters =
       energy_tally.has_readers() ||
@@ -104,7 +104,7 @@ void FixContactStep::require_spheres() {
                             "'disc'");
 }
 
-/// A warning that was given is not given again.
+/// Issued once in the life of the fix.
 void FixContactStep::warn_of_unmoved() {
   if (warned_of_unmoved || !may_have_contacts) return;
   std::vector<int> announced;
@@ -113,8 +113,8 @@ void FixContactStep::warn_of_unmoved() {
   warned_of_unmoved = LAMMPS_NS::warn_of_unmoved(lmp, announced);
 }
 
-/// Of walls that decide by other rules than the pairs which particles stick. A warning that was
-/// given is not given again.
+/// Warns of walls whose adhesion or scheme differs from that of the pairs. Each text is issued
+/// once.
 void FixContactStep::warn_of_unlike_walls() {
   std::vector<cohesion::advice::StickingRules> pairs, walls;
   for (const SoftContactStyle* some : styles) {
@@ -128,8 +128,7 @@ void FixContactStep::warn_of_unlike_walls() {
     if (warned_of_walls.insert(text).second && comm->me == 0) error->warning(FLERR, text);
 }
 
-/// Of spheres on which friction acts and that do not turn. A warning that was given is not given
-/// again.
+/// Warns of spheres on which friction acts and that do not rotate. Issued once.
 void FixContactStep::warn_of_spins() {
   if (warned_of_unturned && warned_of_held) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);

@@ -6,24 +6,24 @@
 
 namespace LAMMPS_NS {
 
-/// The pair styles and walls with soft contacts, of either scheme, as FixContactStep knows them.
-/// They compute their contacts in Pair::compute or Fix::post_force.
+/// Interface of FixContactStep to the pair styles and walls with soft contacts of either scheme.
+/// These compute their contacts in Pair::compute or Fix::post_force.
 class SoftContactStyle {
  public:
-  /// Whether friction turns particles of this type.
+  /// Whether friction exerts torques on particles of this type.
   virtual bool has_friction(int type) const = 0;
   /// Whether any contact may act in this run.
   virtual bool may_have_contacts() const { return true; }
-  /// Whether contacts are those of scheme exact; else they are sampled.
+  /// Whether the scheme is exact; otherwise it is sampled.
   virtual bool is_exact_scheme() const = 0;
-  /// What decides in its contacts which particles stick.
+  /// The parameters that decide which particles stick.
   virtual cohesion::advice::StickingRules sticking_rules() const = 0;
-  /// Whether it has contacts with a spring, which act in this run.
+  /// Whether its contacts have a spring and act in this run.
   virtual bool has_contacts() const { return true; }
-  /// Where a run takes over the forces of the last one: finds what has come into range or out of it
-  /// between the two, and adds what the contacts store to the energy tally.
+  /// Called when a run continues with the forces of the last one: finds the pairs that have entered
+  /// or left the range between the runs, and adds the stored energies to the energy balance.
   virtual void continue_run() = 0;
-  /// Particles have other IDs than those by which contacts are stored.
+  /// Called when particles have other IDs than those stored with the contacts.
   virtual void renumber(const class Renumbering&) {}
 
  protected:

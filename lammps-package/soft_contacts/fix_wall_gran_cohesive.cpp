@@ -205,8 +205,8 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point) 
                           "There " + report_flight(lmp, i));
 }
 
-/// How far the walls move in a step, [length]; infinite where the box carries particles along: by a
-/// mean flow, which step->flight() leaves out, or as it is rescaled.
+/// Displacement of the walls in a step, [length]. Infinite if the box moves particles: by a mean
+/// flow, which step->flight() excludes, or by rescaling.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::wall_travel(const WallState& now) const {
   if (domain->box_change) return std::numeric_limits<double>::infinity();
@@ -224,8 +224,7 @@ void FixWallGranCohesive<Cohesion>::update_sizes() {
   }
 }
 
-/// Finds the particles that may touch a wall, in this step and until one has moved by the largest
-/// radius.
+/// Finds the particles that may touch a wall until one of them has moved by the largest radius.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::find_beside(const WallState& now) {
   const double reach = 2.0 * sizes.largest_radius + sizes.largest_range;
@@ -242,8 +241,8 @@ template <class Cohesion>
 template <class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
-  // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
-  // may be new, or faster than that.
+  // A particle that moves less than a radius per step cannot reach a wall from beyond two radii.
+  // All particles are checked when some may be new, or faster.
   const double flight = 2.0 * step->flight() + wall_travel(now);
   const bool new_list = step->starts() || neighbor->ago == 0;
   if (new_list || flight > sizes.smallest_radius) {
@@ -252,14 +251,14 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
     std::iota(beside.begin(), beside.end(), 0);
     travelled = std::numeric_limits<double>::infinity();
   } else {
-    travelled += 2.0 * flight;  // fix recenter may carry all along with the fastest
+    travelled += 2.0 * flight;  // fix recenter may displace all by as much as the fastest flies
     if (travelled > sizes.largest_radius || radii_version != step->version_of_radii())
       find_beside(now);
   }
 
   for (const int i : beside) {
     if (!(atom->mask[i] & groupbit)) {
-      if (new_list) history.begin(i);  // it may be of the group later
+      if (new_list) history.begin(i);  // it may join the group later
       continue;
     }
     const Vector3 centre = vector(atom->x[i]);
@@ -268,7 +267,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
       double& phase = *history.of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
       if (WallHistory::keep_behind(phase, point.distance, atom->radius[i] + range)) continue;
-      // A particle of which nothing is known is where it is; it did not fall into the range.
+      // A particle without a history is in range or not by its position.
       if (phase < 0.0) ContactHistory::unknown().store(&phase, per_wall);
       // No particle is faster than the step's fastest.
       if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point);
@@ -322,7 +321,7 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
   forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, does)));
 }
 
-/// The force on one wall: along three axes all of it, along the same three that of adhesion.
+/// The force on one wall: three components of the whole, three of the adhesive part.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
   return forces.all(world)[WallForces::EACH * wall + which];

@@ -22,8 +22,8 @@
 
 namespace LAMMPS_NS {
 
-/// Walls that act on spheres as PairGranCohesive lets spheres act on each other; a wall is a
-/// partner of infinite mass and radius. `Cohesion`: as there.
+/// Walls with the contact law of PairGranCohesive; a wall is a partner of infinite mass and radius.
+/// `Cohesion`: as there.
 template <class Cohesion>
 class FixWallGranCohesive : public FixWithWallHistory,
                             public SoftContactStyle,
@@ -53,8 +53,8 @@ class FixWallGranCohesive : public FixWithWallHistory,
  private:
   using ExactContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
   using SampledContact = cohesion::sampled_contact::SampledContact<typename Cohesion::Sampled>;
-  /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
-  /// the order of Scheme.
+  /// The contacts of the particles near a wall; consecutive equal particles share one. One
+  /// alternative per scheme, in the order of Scheme.
   using AnyContacts = std::variant<std::vector<ExactContact>, std::vector<SampledContact> >;
   using Wall = cohesion::contact_solver::Wall;
 
@@ -106,27 +106,27 @@ class FixWallGranCohesive : public FixWithWallHistory,
   bool has_adhesion_word = false;
   Cohesion attraction;
   typename Cohesion::Parameters unscaled_parameters;
-  typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished
+  typename Cohesion::Parameters parameters;  // with scaled adhesion, if the script requests it
   typename Cohesion::Law law;
   std::vector<Wall> walls;
   cohesion::contact_solver::WallMotion motion;
   cohesion::contact_solver::WallCourse course;
 
-  int per_wall;  // values of history (HistorySize)
+  int per_wall;  // values per history (HistorySize)
   AnyContacts contacts;
-  /// Of the particles, when the list of neighbours was new.
+  /// Of the particles at the last rebuild of the neighbour list.
   struct Sizes {
     double smallest_radius, largest_radius, largest_range;
   } sizes;
   std::vector<int> beside;  // particles that may touch a wall
-  long radii_version = -1;  // when these were found
-  double travelled;         // by one of them or a wall since then, at most, [length]
+  long radii_version = -1;  // at the time of this search
+  double travelled;         // upper bound of a displacement since then, [length]
   FixContactStep* step;
 
   WallForces forces;
 };
 
-/// Equal particles that come one after the other share a contact.
+/// The contact of particle i; consecutive equal particles share one.
 template <class Cohesion>
 template <class Contact>
 inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {

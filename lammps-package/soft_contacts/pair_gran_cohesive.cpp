@@ -37,7 +37,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       per_pair(0),
       step(nullptr),
       history(modify, history_id(Cohesion::STYLE)) {
-  single_enable = 0;
+  single_enable = 1;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
@@ -47,6 +47,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
 
 template <class Cohesion>
 PairGranCohesive<Cohesion>::~PairGranCohesive() {
+  delete[] svector;
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -78,6 +79,11 @@ void PairGranCohesive<Cohesion>::init_style() {
     error->all(FLERR,
                coefficients.message_prefix() + " acts between spheres; use 'atom_style sphere'");
   step = FixContactStep::of(lmp);
+  // pair_style hybrid of several versions of the engine copies these numbers beyond their end.
+  if (force->pair == this && single_extra == 0) {
+    svector = new double[SINGLE_EXTRA];
+    single_extra = SINGLE_EXTRA;
+  }
   require_plausible_spheres(lmp, coefficients.message_prefix());
   require_whole_special_factors(lmp, this, coefficients.message_prefix(), true);
   largest_radius = largest_radii(lmp);
@@ -121,8 +127,8 @@ int PairGranCohesive<Cohesion>::values_per_pair() const {
   return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
 }
 
-/// The part of the skin that is for the flight of both particles within a step: a fifth; the flight
-/// is far less where the engine's own check of the list holds at all.
+/// The part of the skin reserved for the flight of both particles within a step. A fifth suffices
+/// wherever the engine's own check of the neighbour list is valid.
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::flight_allowance() const {
   return 0.2 * neighbor->skin;
@@ -131,7 +137,7 @@ double PairGranCohesive<Cohesion>::flight_allowance() const {
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
-  // Bound pairs count up to there, and a load carries one so far before it has left.
+  // Pairs are bound up to this range, and a load may carry one this far before it leaves.
   if (Cohesion::BINDS_IN_RANGE)
     range = std::max(range, coefficients.range_of_attraction(coefficients.pair_index(i, j)));
   coefficients.require_short(i, j, smallest_radius[i], smallest_radius[j]);
@@ -155,7 +161,7 @@ void PairGranCohesive<Cohesion>::give_advice(const RunConditions& now, AdviceOfS
                              advice_filter));
 }
 
-/// The contacts between particles of the types that are this style's.
+/// The contacts between particles of the types of this style.
 template <class Cohesion>
 std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
     const std::vector<LightestParticle>& lightest) const {

@@ -20,9 +20,9 @@
 
 namespace LAMMPS_NS {
 
-/// Particles and ghosts as the engine has them: places, velocities of the half step before.
+/// Particles and ghosts of the engine: positions at n, velocities at n-1/2.
 struct StaggeredParticles {
-  const double *x, *v, *spin;  // three numbers of each
+  const double *x, *v, *spin;  // three numbers per particle
   const int* type;
   Bodies bodies;
 
@@ -35,9 +35,9 @@ struct StaggeredParticles {
   }
 };
 
-/// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the exact scheme or
-/// sampled. `Cohesion` (cohesion_law.h) says what is its own: name, keywords, law, range, and which
-/// solvers compute its normal motion.
+/// Spheres with a linear, Hertzian or JKR contact, friction and a cohesion, in the exact or the
+/// sampled scheme. `Cohesion` (cohesion_law.h) defines name, keywords, law, range and solvers of
+/// the style.
 template <class Cohesion>
 class PairGranCohesive : public Pair,
                          public BoundPairs,
@@ -52,13 +52,16 @@ class PairGranCohesive : public Pair,
   void coeff(int, char**) override;
   void init_style() override;
   double init_one(int, int) override;
+  /// For compute pair/local: energy of spring and adhesion; `force` over distance, and SINGLE_EXTRA
+  /// numbers in svector (docs/lammps-package/contact_output.md).
+  double single(int i, int j, int, int, double, double, double, double& force) override;
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
-  /// Histories that nothing was written to count as none.
+  /// Stale histories are written as none.
   void write_restart_settings(FILE* fp) override {
     coefficients.write_settings(fp, history_stale ? 0 : per_pair);
   }
-  /// The histories of the file stay as long as they are, whether anything rolls now or not.
+  /// Histories keep the size that they have in the file, with rolling friction or without.
   void read_restart_settings(FILE* fp) override {
     per_pair = coefficients.read_settings(fp);
     history_stale = per_pair == 0;
@@ -82,7 +85,9 @@ class PairGranCohesive : public Pair,
   }
 
  private:
-  /// The contacts of a step, and by type pair which of them was used last.
+  static constexpr int SINGLE_EXTRA = 10;
+
+  /// The contacts of a step, and the index of the last one used per pair of types.
   template <class Contact>
   struct Contacts {
     std::vector<Contact> all;
@@ -118,6 +123,7 @@ class PairGranCohesive : public Pair,
   void find_in_range();
   void forget_all();
   void forget_springs();
+  const double* stored_history(int i, int j) const;
   void forget_if_led(int i, int j, int& has_history) const;
   void begin_step();
   void find_close();
@@ -142,13 +148,13 @@ class PairGranCohesive : public Pair,
   cohesion::advice::WarningFilter advice_filter;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
-  ClosePairs close_pairs;                               // those that may touch in a step
-  double largest_range;                                 // up to which the scheme has to see a pair
+  ClosePairs close_pairs;                               // pairs that may touch in a step
+  double largest_range;                                 // largest gap at which a contact acts
   bool friction;                                        // whether any contact has friction
   bool is_active;                                       // whether anything can happen in this run
   bool needs_list;                                      // whether any pair is visited in this run
-  bool history_stale;  // since nothing has acted, histories are not those of the pairs as they are
-  int per_pair;        // values of history (HistorySize); 0: there is none yet
+  bool history_stale;  // no contact was computed since, so histories are out of date
+  int per_pair;        // values per history (HistorySize); 0: not allocated yet
   class FixContactStep* step;
   PairHistory history;
   bool warned_of_flight = false;  // in this run
@@ -159,8 +165,8 @@ inline StaggeredParticles PairGranCohesive<Cohesion>::particles() const {
   return {atom->x[0], atom->v[0], atom->omega[0], atom->type, step->bodies()};
 }
 
-/// Pairs of equal particles that come one after the other share a contact. NONE: neither is moved
-/// by anything.
+/// The contact of a pair; consecutive pairs of equal particles share one. NONE: no fix moves either
+/// particle.
 template <class Cohesion>
 template <class Contact>
 [[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
@@ -192,7 +198,7 @@ double PairGranCohesive<Cohesion>::distance(int i, int j) const {
   return norm(particles().relative_state(i, j).separation);
 }
 
-/// Pairs of which neither is moved by anything have no contact.
+/// Pairs of two particles that no fix moves have no contact.
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
   return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of PairGranCohesive that knows pairs at set-up of a run, and between two steps.
+// The part of PairGranCohesive for set-up of a run and for outputs between two steps.
 #include <algorithm>
+#include <cmath>
 
 #include "atom.h"
 #include "common/distinct_places.h"
+#include "contact_solver/contact_output.h"
 #include "contact_step/fix_contact_step.h"
 #include "neigh_list.h"
 #include "soft_contacts/cohesion_laws.h"
@@ -13,7 +15,7 @@ using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;
 using cohesion::Vector3;
 
-/// Calls what(i, j, has_history, values): whether the pair has a history, and that.
+/// Calls what(i, j, has_history, values) for each pair of the neighbour list.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
@@ -27,23 +29,23 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
-/// A pair of which nothing else is known is in the list of histories where it stands in range.
+/// Whether the stored state is that of a pair in range.
 static bool is_inside(int has_history, const double* values) {
   if (!has_history) return false;
   const ContactState known = ContactState::stored(values);
   return known.in_range() || known.phase == ContactState::unknown;
 }
 
-/// After steps in which nothing acted.
+/// Clears all histories, after steps in which no contact was computed.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_all() {
   history_stale = false;
   for_each_listed([](int, int, int& has_history, double*) { has_history = 0; });
 }
 
-/// Sets which pairs are in range by where they are, where their histories do not tell: of pairs
-/// without one, of those that something else than their motion has altered, and of all where laws
-/// have other ranges.
+/// Decides by their distance which pairs are in range if their histories do not determine it: pairs
+/// without a history, pairs that a script has altered, and all pairs where ranges of laws have
+/// changed.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_in_range() {
   std::visit(
@@ -52,7 +54,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
         for_each_listed([&](int i, int j, int& has_history, double* values) {
           if (has_history && !step->is_altered(i, j) && !coefficients.has_other_ranges()) return;
           const double apart = distance(i, j);
-          // Contacts are made for those only that some contact could reach.
+          // The contact is needed only for pairs within the largest range.
           bool near = moves(i, j) && apart < atom->radius[i] + atom->radius[j] + largest_range;
           if (near) {
             const auto& law = contacts.all[contact(contacts, particles(), i, j)];
@@ -88,7 +90,8 @@ void PairGranCohesive<Cohesion>::continue_run() {
   });
 }
 
-/// Contacts without friction leave alone what is remembered of springs, and may get friction again.
+/// Clears the tangential springs. Contacts without friction do not update them, and a later run may
+/// have friction again.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_springs() {
   for_each_listed([this](int, int, int has_history, double* values) {
@@ -123,9 +126,56 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
       any_contacts);
 }
 
-/// Appends the pairs within the range of the attraction, where that binds; else those within the
-/// range of contact and adhesion, of those that have a history or, where nothing acts, would have
-/// one.
+/// The history of j in the list of i, or null.
+template <class Cohesion>
+const double* PairGranCohesive<Cohesion>::stored_history(int i, int j) const {
+  const int* const listed = list->firstneigh[i];
+  for (int jj = 0; jj < list->numneigh[i]; jj++)
+    if ((listed[jj] & NEIGHMASK) == j)
+      return history->firstflag[i][jj] ? &history->firstvalue[i][per_pair * jj] : nullptr;
+  return nullptr;
+}
+
+static void put(const Vector3& a, double factor, double* numbers) {
+  numbers[0] = factor * a.x;
+  numbers[1] = factor * a.y;
+  numbers[2] = factor * a.z;
+}
+
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, double, double,
+                                          double& over_distance) {
+  over_distance = 0.0;
+  std::fill_n(svector, single_extra, 0.0);
+  if (single_extra > 0) svector[1] = atom->radius[i] + atom->radius[j] - std::sqrt(rsq);
+  if (!is_active || history_stale || !moves(i, j)) return 0.0;
+  // Another neighbour list may contain the pair in the other order.
+  const double* in_list = stored_history(i, j);
+  const bool swapped = !in_list && j < atom->nlocal;
+  if (swapped) in_list = stored_history(j, i);
+  if (!in_list) return 0.0;
+  std::vector<double> values(in_list, in_list + per_pair);
+  ContactState::restore_signs(values.data());
+  const ContactOutput found = std::visit(
+      [&](auto& contacts) {
+        return output_of(contacts.all[contact(contacts, particles(), i, j)],
+                         particles().relative_state(i, j).separation,
+                         ContactHistory::stored(values.data(), per_pair), step->forces_length());
+      },
+      any_contacts);
+  over_distance = found.force / std::sqrt(rsq);
+  if (single_extra > 0) {
+    svector[0] = found.place;
+    svector[2] = found.limiting;
+    svector[3] = norm(found.friction);
+    put(found.friction, swapped ? -1.0 : 1.0, svector + 4);
+    put(found.rolling_torque, swapped ? -1.0 : 1.0, svector + 7);
+  }
+  return found.energy;
+}
+
+/// Appends the bound pairs: those within the range of the attraction if the law binds by range,
+/// otherwise those whose history is in range. Where no contact is computed, touching pairs count.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for_each_listed([&](int i, int j, int has_history, const double* values) {
@@ -143,10 +193,12 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-#define COHESION_INSTANTIATE(style, Law)                                \
-  template void PairGranCohesive<Law>::forget_all();                    \
-  template void PairGranCohesive<Law>::tally_energies_at_setup();       \
-  template void PairGranCohesive<Law>::continue_run();                  \
-  template void PairGranCohesive<Law>::require_distinct_places() const; \
+#define COHESION_INSTANTIATE(style, Law)                                                    \
+  template void PairGranCohesive<Law>::forget_all();                                        \
+  template void PairGranCohesive<Law>::tally_energies_at_setup();                           \
+  template void PairGranCohesive<Law>::continue_run();                                      \
+  template void PairGranCohesive<Law>::require_distinct_places() const;                     \
+  template double PairGranCohesive<Law>::single(int, int, int, int, double, double, double, \
+                                                double&);                                   \
   template void PairGranCohesive<Law>::append_bound(std::vector<std::array<int, 2>>&) const;
 COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

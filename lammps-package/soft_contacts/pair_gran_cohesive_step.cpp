@@ -41,7 +41,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   });
 }
 
-/// Calls what(contacts, size of their history).
+/// Calls what(contacts, history size) with the types of this style's scheme.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
@@ -70,13 +70,13 @@ void PairGranCohesive<Cohesion>::begin_step() {
 /// Energy of spring and adhesion.
 static double energy(const StoredEnergies& stored) { return stored.spring + stored.adhesion; }
 
-/// Finds the pairs that may touch in this step. The list of neighbours always contains the pairs
-/// with a gap up to the allowance for flight; in the step in which it is built, it contains those
-/// with a gap up to a skin more. So it is built in each step from half of the allowance on, before
-/// the speed has doubled.
+/// Finds the pairs that may touch in this step. The neighbour list always contains the pairs with a
+/// gap up to the flight allowance, and in the step of its rebuild those up to a skin more. If
+/// particles fly farther than half of the allowance, it is rebuilt in each step, before the speed
+/// can double.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_close() {
-  // Both fly a whole step from the grid point; sampled, they are found as far beyond the edge.
+  // Both particles fly a whole step. The sampled scheme finds them as far beyond the edge.
   constexpr double flights = 4.0;
   const double flown = flights * step->flight(), always = flight_allowance();
   const double at_most = always + neighbor->skin;
@@ -86,7 +86,7 @@ void PairGranCohesive<Cohesion>::find_close() {
   if (flown > 0.7 * at_most) warn_of_flight(flown / flights, at_most / flights);
   const double reach = largest_range + flown;
   close_pairs.allow(largest_range + (flown > always ? at_most : always));
-  // A flight is of half a step.
+  // flight() is that of half a step.
   close_pairs.update(*list, reach, 2.0 * step->flight(), step->version_of_radii(),
                      {history->firstflag, history->firstvalue, per_pair});
 }
@@ -100,7 +100,7 @@ void PairGranCohesive<Cohesion>::stop_at_flight(double flight, double allowed) {
              report_fastest(lmp));
 }
 
-/// The skin that it names ends the warning.
+/// With the skin that the text names, the warning does not recur.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
   if (warned_of_flight) return;
@@ -119,8 +119,8 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
   const ContactForces<Contact, SIZE> forces(atom, step);
   const StaggeredParticles now = particles();
-  // A step whose fluxes somebody asks for has a loop of its own, and so have contacts that are not
-  // all linear: what contacts do stays in registers otherwise.
+  // Separate loops for steps with momentum fluxes and for laws that are not all linear: otherwise
+  // the results of a contact stay in registers.
   const auto loop = [&](auto sums_flux, auto linear) {
     const bool asked = evflag;
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
@@ -153,8 +153,8 @@ template <class Contact>
   step->flux.add(fraction, now.relative.separation, does.action.impulse, c.by_contact(now, does));
 }
 
-/// A pair out of range, which can come into it in this step, counts as known: only one that nothing
-/// is known of may stand in range without having moved there.
+/// Computes any pair. A pair out of range that may enter it in this step gets a history: only pairs
+/// without one can stand in range without having moved there.
 template <class Cohesion>
 template <int SIZE, class Contact>
 [[gnu::noinline]] void PairGranCohesive<Cohesion>::compute_contact(
@@ -180,15 +180,15 @@ template <int SIZE, class Contact>
   if (evflag) tally(i, j, motion.relative.separation, energy(energies.stored), does.action.impulse);
 }
 
-/// What is remembered of two particles that forces do not move holds until something else moves one
-/// along the other.
+/// Clears the history of two particles that forces do not move, if a fix moves one relative to the
+/// other.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_if_led(int i, int j, int& has_history) const {
   if (!has_history || !(step->is_led(i) || step->is_led(j))) return;
   if (step->carries_along(i, particles().relative_state(i, j).velocity)) has_history = 0;
 }
 
-/// Energy and virial, of an impulse on j.
+/// Adds energy and virial of a pair; the impulse acts on j.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, double energy,
                                        const Vector3& impulse) {

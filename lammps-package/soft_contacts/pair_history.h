@@ -13,7 +13,8 @@
 
 namespace LAMMPS_NS {
 
-/// The fix ID of what pair_style `style` remembers: NEIGH_HISTORY_GRAN_HAMAKER of gran/hamaker.
+/// The ID of the fix with the histories of pair_style `style`: NEIGH_HISTORY_GRAN_HAMAKER of
+/// gran/hamaker.
 inline std::string history_id(const std::string& style) {
   std::string id = "NEIGH_HISTORY_" + style;
   std::transform(id.begin(), id.end(), id.begin(),
@@ -21,12 +22,12 @@ inline std::string history_id(const std::string& style) {
   return id;
 }
 
-/// What a pair style remembers of each pair, kept by a fix of the engine. The fix gets its place in
-/// the list of fixes when the pair style is made: the engine wants it before fixes that move
-/// particles to other processes, such as fix deform.
+/// The contact histories of a pair style, stored by a fix of the engine. The position in the list
+/// of fixes is reserved when the pair style is created, since the fix has to precede those that
+/// move particles to other ranks, such as fix deform.
 class PairHistory {
  public:
-  /// `id` of the fix; the number of values is added, which restart files do not tell.
+  /// `id` of the fix. The number of values is appended, since restart files do not contain it.
   PairHistory(Modify* modify, const std::string& id) : modify_(modify), id_(id), fix_(nullptr) {
     modify_->add_fix(place() + " all DUMMY");
   }
@@ -34,7 +35,8 @@ class PairHistory {
   PairHistory(const PairHistory&) = delete;
   PairHistory& operator=(const PairHistory&) = delete;
 
-  /// In the init of `pair`: with `values` numbers per pair, made the first time.
+  /// To be called in the init of `pair`: creates the fix, with `values` numbers per pair, if there
+  /// is none.
   void init(Pair* pair, int values) {
     if (fix_) return;
     const std::string number = std::to_string(values), place_id = place();
@@ -46,7 +48,7 @@ class PairHistory {
 
   FixNeighHistory* operator->() const { return fix_; }
 
-  /// Partners are remembered by their IDs; what is remembered of one that is gone is of nobody.
+  /// Partners are stored by their IDs. The history of a deleted partner is never used.
   void renumber(const Renumbering& renumbering, int particles) {
     if (!fix_) return;
     const int* const count = Partners::count(*fix_);
@@ -60,7 +62,7 @@ class PairHistory {
   }
 
  private:
-  /// They are protected there.
+  /// Access to the protected members of the fix.
   struct Partners : FixNeighHistory {
     static int* count(const FixNeighHistory& fix) { return fix.*(&Partners::npartner); }
     static tagint** ids(const FixNeighHistory& fix) { return fix.*(&Partners::partner); }

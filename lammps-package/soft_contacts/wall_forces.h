@@ -13,8 +13,8 @@
 
 namespace LAMMPS_NS {
 
-/// Forces on each of some walls in a step: along three axes all of it, along the same three that of
-/// adhesion. Summed over processes when they are asked for.
+/// Forces on each wall of a fix in a step: three components of the whole force, three of its
+/// adhesive part. They are summed over the ranks when an output needs them.
 class WallForces {
  public:
   static constexpr int EACH = 6;
@@ -33,7 +33,7 @@ class WallForces {
     add_to(on + 3, adhesion);
   }
 
-  /// Of all processes, wall after wall; collective after clear().
+  /// The sums over all ranks, wall after wall. All ranks call it, once after clear().
   const std::vector<double>& all(MPI_Comm world) {
     if (!summed_)
       MPI_Allreduce(mine_.data(), total_.data(), static_cast<int>(mine_.size()), MPI_DOUBLE,
@@ -41,14 +41,13 @@ class WallForces {
     summed_ = true;
     return total_;
   }
-  /// On all walls, of one of the EACH numbers; collective as all() is.
+  /// The sum over all walls of one of the EACH numbers. All ranks call it.
   double sum(MPI_Comm world, int which) {
     double force = 0.0;
     for (std::size_t k = which; k < mine_.size(); k += EACH) force += all(world)[k];
     return force;
   }
-  /// Writes a fix's part of a restart file: `values`, and what all() gives. All processes call it,
-  /// process 0 writes.
+  /// Writes a fix's part of a restart file: `values` and all(). All ranks call it, rank 0 writes.
   void write_restart(FILE* fp, MPI_Comm world, std::vector<double> values) {
     values.insert(values.end(), all(world).begin(), all(world).end());
     int me = 0;
@@ -58,7 +57,7 @@ class WallForces {
     fwrite(&size, sizeof(int), 1, fp);
     fwrite(values.data(), sizeof(double), values.size(), fp);
   }
-  /// One process puts back what all() gave.
+  /// Rank 0 restores all().
   void put_back(const double* values) { std::copy_n(values, mine_.size(), mine_.begin()); }
 
  private:

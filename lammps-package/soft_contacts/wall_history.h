@@ -9,13 +9,13 @@
 
 namespace LAMMPS_NS {
 
-/// What each particle remembers of each of some walls: `per_wall` numbers, the first of which is
-/// its in-range flag, where it is not one of those below.
+/// The contact histories of each particle with each wall of a fix: `per_wall` numbers, the first of
+/// which is the in-range flag or one of the flags below.
 class WallHistory : public AtomNumbers {
  public:
   /// Flag of a particle that has not met the wall yet.
   static constexpr double NOT_KNOWN = -1.0;
-  /// Flag of a particle that does not feel the wall (contact_solver/wall.h: is_behind()).
+  /// Flag of a particle on which the wall does not act (contact_solver/wall.h: is_behind()).
   static constexpr double BEHIND = -2.0;
 
   explicit WallHistory(LAMMPS* lammps) : AtomNumbers(lammps) {}
@@ -25,10 +25,10 @@ class WallHistory : public AtomNumbers {
     per_wall_ = per_wall;
     resize(walls * per_wall);
   }
-  /// Whether a run that begins sees the particle at this wall for the first time, or out of range.
+  /// Whether the particle has no history with this wall, or is out of range.
   bool is_new(int i, int wall) const { return *of(i, wall) == NOT_KNOWN || *of(i, wall) == 0.0; }
-  /// Whether a particle does not feel a wall, which its flag says from here on. distance, clear:
-  /// as is_behind() takes them.
+  /// Whether the wall does not act on a particle; sets its flag. distance, clear: as in
+  /// is_behind().
   static bool keep_behind(double& flag, double distance, double clear) {
     if (flag > 0.0 || !cohesion::contact_solver::is_behind(flag == BEHIND, distance, clear))
       return false;

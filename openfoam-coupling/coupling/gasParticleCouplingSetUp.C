@@ -64,7 +64,20 @@ Foam::gasParticleCoupling::gasParticleCoupling
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
-    coupledParticles_(mesh, engine_, completeState::isComplete(mesh.time()), g_, density_, depthRatio_),
+    coupledParticles_
+    (
+        mesh,
+        engine_,
+        completeState::isComplete(mesh.time()),
+        g_,
+        density_,
+        depthRatio_,
+        [this]() -> particleAveraging&
+        {
+            locateParticles();
+            return averaging_;
+        }
+    ),
     averaging_(mesh, dict_),
     continued_(coupledParticles_.continued()),
     hasLastGradient_(continued_),

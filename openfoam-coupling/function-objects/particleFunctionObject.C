@@ -9,7 +9,8 @@ Foam::functionObjects::particleFunctionObject::particleFunctionObject
 (
     const word& name,
     const Time& runTime,
-    const dictionary& dict
+    const dictionary& dict,
+    const bool table
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
@@ -19,7 +20,7 @@ Foam::functionObjects::particleFunctionObject::particleFunctionObject
         name,
         dict.get<word>("type"),
         dict,
-        mesh_.foundObject<coupledParticles>(coupledParticles::typeName)
+        table && mesh_.foundObject<coupledParticles>(coupledParticles::typeName)
     ),
     particles_(mesh_.cfindObject<coupledParticles>(coupledParticles::typeName)),
     timeStart_(-VGREAT)

@@ -6,16 +6,16 @@
 
 namespace cohesion::contact_solver {
 
-/// What an engine stores of a contact of two spheres, or of a sphere and a wall, from one step to
-/// the next. Sampled contacts (sampled_contact/sampled_contact.h) use the phases `outside` and
-/// `inside` and the springs.
+/// The state of a contact of two spheres, or of a sphere and a wall, that an engine stores from one
+/// step to the next. Sampled contacts (sampled_contact/sampled_contact.h) use the phases `outside`
+/// and `inside`, the force and the springs.
 struct ContactHistory {
   using Spring = DiscreteSpring::State;
 
   ContactState normal{};
   Spring sliding{}, rolling{};
 
-  /// Values that are stored: without friction, with it, and with rolling friction.
+  /// Number of stored values: without friction, with friction, with rolling friction, too.
   enum Size {
     normal_only = ContactState::size,
     with_friction = normal_only + 6,
@@ -28,8 +28,8 @@ struct ContactHistory {
     return history;
   }
 
-  /// After ContactState::restore_signs(): where an engine exchanges i and j and changes the sign of
-  /// all values, those of springs are right.
+  /// To be called after ContactState::restore_signs(). An engine that exchanges i and j changes the
+  /// sign of all values, which is right for the vectors of the springs.
   static ContactHistory stored(const double* values, int size) {
     const auto spring = [values, size](int first, Size least) {
       return size >= least ? Spring{vector(values + first), vector(values + first + 3)} : Spring{};
@@ -43,9 +43,8 @@ struct ContactHistory {
     if (size >= with_rolling) store(rolling, values + with_friction);
   }
 
-  /// Of particles that something else than their motion has moved relative to each other: the
-  /// contact is where it stands now, in range or not, and in range it keeps its springs. What leads
-  /// to the true velocity stays.
+  /// The state after a script has moved the particles relative to each other: the contact is in
+  /// range or not by its position, and in range it keeps its springs. The velocity offset remains.
   ContactHistory moved(bool into_range) const {
     ContactHistory now;
     if (normal.phase != ContactState::persistent)

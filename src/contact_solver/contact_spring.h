@@ -8,10 +8,10 @@
 
 namespace cohesion::contact_solver {
 
-/// The spring of friction, or of rolling friction, of a contact. Beside a linear normal spring it
-/// is constant. Beside Hertz's it stiffens with the overlap, as Mindlin's: where it stiffens, its
-/// force stays and the stretch shrinks; where it softens, the stretch stays and the force falls. So
-/// no change of the overlap gives it energy.
+/// The spring of friction, or of rolling friction, of a contact. With a linear normal spring its
+/// stiffness is constant. With Hertz's it grows with the overlap, as Mindlin's: while it grows, the
+/// force is kept and the stretch decreases; while it falls, the stretch is kept and the force
+/// decreases. So no change of the overlap adds energy to it.
 ///
 /// Source: C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30.
 class ContactSpring {
@@ -35,20 +35,20 @@ class ContactSpring {
   /// Whether there is any friction.
   bool is_present() const { return constant_.is_present(); }
   bool stiffens() const { return stiffens_; }
-  /// Of one that does not stiffen; step, mass and friction are those of any.
+  /// The spring if its stiffness is constant; step, mass and friction are right in any case.
   const DiscreteSpring& constant() const { return constant_; }
-  /// Of any at this overlap [length].
+  /// The spring at this overlap [length].
   DiscreteSpring at(double overlap) const {
     if (!stiffens_) return constant_;
     return DiscreteSpring::at_time_level(parameters(contact::point_of(law_, overlap)), step_,
                                          inverse_mass_);
   }
-  /// The constants of one that stiffens, at this point of the law.
+  /// The constants of a spring that stiffens, at this point of the law.
   DiscreteConstants constants_at(const contact::LawPoint& here) const {
     const contact::TangentialParameters p = parameters(here);
     return constant_.constants_at_time_level(p.stiffness, p.damping);
   }
-  /// What is left of a stretch from one overlap [length] to another.
+  /// The fraction of a stretch that is left after a change of the overlap [length].
   double left_of_stretch(double before, double now) const {
     if (!stiffens_ || !(now > before)) return 1.0;
     return contact::stretch_left(contact::point_of(law_, before).radius_stiffness,

@@ -30,14 +30,14 @@ struct ContactState {
   double account = 0.0;          ///< energy_account.h, [energy]
   double contact_time = 0.0;     ///< how long the last step was contact, [time]
 
-  /// Values that store() writes. Restart files have them, the phase by its number.
+  /// Numbers that store() writes, in restart files, too; the phase by its number.
   static constexpr int size = 8;
   void store(double* values) const {
     values[0] = phase;
     store_persistent(values);
     values[7] = contact_time;
   }
-  /// The values that a persistent contact changes: phase and contact time are stored already.
+  /// The same of a contact whose stored phase is persistent already.
   [[gnu::always_inline]] void store_persistent(double* values) const {
     values[1] = velocity_offset;
     values[2] = last_rate;
@@ -46,7 +46,8 @@ struct ContactState {
     values[5] = external_before;
     values[6] = account;
   }
-  /// Of stored values: in range without contact, and nothing pending of the last two steps.
+  /// Whether stored values are those of a pair in range without contact, with nothing pending of
+  /// the last two steps.
   static bool is_idle(const double* values) {
     return values[0] == inside && values[3] == 0.0 && values[4] == 0.0;
   }
@@ -57,40 +58,40 @@ struct ContactState {
     return {phase_of(values), values[1], values[2], values[3],
             values[4],        values[5], values[6], values[7]};
   }
-  /// Restores the signs of stored values where an engine that exchanges the partners has changed
-  /// them, which a phase below 0 says.
+  /// Restores the signs of stored values. An engine that exchanges the partners changes all signs,
+  /// that of the phase, too.
   [[gnu::always_inline]] static void restore_signs(double* values) {
     if (!(values[0] < 0.0)) return;
     for (int k = 0; k < size; k++) values[k] = -values[k];
   }
 
   bool in_range() const { return !is_outside() && phase != left && phase != settling; }
-  /// Out of range as far as is known, with nothing pending.
+  /// Whether the pair is out of range, or has no stored state, with nothing pending.
   bool is_outside() const { return phase == outside || phase == unknown; }
-  /// Whether it was in contact throughout the last step.
+  /// Whether the pair was in contact throughout the last step.
   bool in_contact() const { return phase == persistent || phase == touching; }
-  /// Whether position and staggered velocity say all about it.
+  /// Whether position and staggered velocity are the whole state.
   bool has_nothing_pending() const { return is_outside() || phase == inside; }
 };
 
-/// What a persistent contact does at a time level.
+/// Result of a step of a persistent contact.
 struct PersistentStep {
   double force;      ///< away from the partner, [force]
   double repulsion;  ///< the part of spring and dashpot, [force]
-  double account;    ///< by what its energy account changes but for exchanged(), [energy]
-  /// Of the distance, where the law's account needs it, [length/time].
+  double account;    ///< change of its energy account without exchanged(), [energy]
+  /// True rate of the distance, where the law's account needs it, [length/time].
   double true_rate = 0.0;
-  /// Of a law without a closed form: at this overlap, and its radius_stiffness at the one before,
-  /// where that is known; else below 0.
+  /// Of a law without a closed form: its point at this overlap, and its radius_stiffness at the
+  /// last time level, below 0 if unknown.
   contact::LawPoint at{};
   double radius_stiffness_before = -1.0;
 };
 
-/// What a contact does from one time level to the next.
+/// Result of any step of a contact.
 struct ContactStep {
   double force = 0.0;      ///< away from the partner, mean over the step, [force]
   double repulsion = 0.0;  ///< the part of spring and dashpot, [force]
-  /// In a resolved step, as far as it is known before the next time level, [energy].
+  /// Dissipation of a resolved step, as far as it is known before the next time level, [energy].
   double dissipated = 0.0;
   NormalRecord normal{};
 };

@@ -15,8 +15,10 @@ namespace cohesion::contact_solver {
 class DiscreteSpring {
  public:
   struct State {
-    Vector3 stretch{};  ///< from which the staggered velocity of the last step leads on, [length]
-    Vector3 impulse{};  ///< of the last step; the half that is still pending, twice, [momentum]
+    Vector3
+        stretch{};  ///< at the last time level, before the staggered velocity adds to it, [length]
+    Vector3
+        impulse{};  ///< of the last step; after a resolved one, half of it is pending, [momentum]
   };
 
   /// step [time]; inverse_mass [1/mass]: the effective one of the motion that stretches the spring.
@@ -28,15 +30,15 @@ class DiscreteSpring {
         step_(step),
         inverse_mass_(inverse_mass) {}
 
-  /// One whose stiffness changes from step to step: spring and dashpot act at the time level as
-  /// Verlet's scheme has them, and need no closed form.
+  /// A spring whose stiffness changes from step to step. Spring and dashpot act at the time level,
+  /// as in the Verlet scheme, without a closed form.
   static DiscreteSpring at_time_level(const contact::TangentialParameters& p, double step,
                                       double inverse_mass) {
     return {p, constants_at_time_level(p.stiffness, p.damping, step, inverse_mass), step,
             inverse_mass};
   }
 
-  /// The constants of such a spring, for advance_persistent() of one of the same step and mass.
+  /// The constants of such a spring, for advance_persistent() with the same step and mass.
   DiscreteConstants constants_at_time_level(double stiffness, double damping) const {
     return constants_at_time_level(stiffness, damping, step_, inverse_mass_);
   }
@@ -65,19 +67,19 @@ class DiscreteSpring {
   double stored_energy(const Vector3& stretch) const {
     return 0.5 * constants_.stiffness * dot(stretch, stretch);
   }
-  /// What a persistent contact has lost since the last time level, [energy]: all that it took from
-  /// the motion, by its impulse `before` and `impulse` now, and `released` of its spring. In the
-  /// dashpot alone, where it slips: by how much spring and dashpot have `stretched` [length].
+  /// Energy that a persistent contact has lost since the last time level: the work of its impulses
+  /// `before` and now, and the energy `released` by its spring, [energy].
   double lost(const Vector3& rate, const Vector3& before, const Vector3& impulse,
               double released) const {
     return released - 0.5 * dot(before + impulse, rate);
   }
+  /// The part of the dashpot while the contact slips. `stretched` [length]: by spring and dashpot.
   double damped(const Vector3& stretched) const {
     return constants_.damping / step_ * dot(stretched, stretched);
   }
 
-  /// Twice the impulse that leads a contact that sticks from the staggered to the true velocity, in
-  /// closed form without other forces, from the stretch before this time level.
+  /// Twice the impulse from the staggered to the true velocity of a sticking contact, in closed
+  /// form without other forces. `stretch`: at the last time level.
   Vector3 sticking_impulse(const contact::Plane& plane, const Vector3& rate,
                            const Vector3& stretch) const {
     return step_ * sticking_force(ends_.last, plane.turned_into(stretch) + step_ * rate, rate);
@@ -139,7 +141,7 @@ class DiscreteSpring {
                                                     bool& slips) const {
     const Vector3 turned = plane.turned_into(state.stretch);
     const Vector3 stretched = turned + step_ * rate;
-    // A resolved step has slipped already, and does not stretch by the whole rate.
+    // After a resolved step the stretch already includes the slip.
     const Vector3 before = persisted ? turned : stretched;
     Vector3 s = stretched;
     Vector3 force = persisted
@@ -148,7 +150,7 @@ class DiscreteSpring {
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
     slips = square > limit * limit;
-    if (slips) {  // spring and dashpot stretch as far as they carry the Coulomb force
+    if (slips) {  // spring and dashpot together carry the Coulomb force
       force = (limit / std::sqrt(square)) * force;
       const double drag = constants.damping / step_;
       if (persisted && constants.stiffness + drag > 0.0)

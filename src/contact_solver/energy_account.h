@@ -15,9 +15,9 @@ namespace cohesion::contact_solver {
 ///
 /// and the energy that its motion in closed form dissipates. The kinetic energy of all particles,
 /// less dt^2 F^2/(8 m) of the force F on each, changes by exactly the sum of the work over all
-/// contacts. A contact that has left its range with R = 0 has therefore taken from the particles
-/// what it dissipated, although it knows the other forces on them only as they were one step
-/// before. What is left of R goes into the speed at which the pair flies on.
+/// contacts. A contact that has left its range with R = 0 has therefore taken exactly its
+/// dissipation from the particles, although it uses the other forces of the last step. What remains
+/// of R changes the speed at which the pair flies on.
 ///
 /// The other forces that act one step late do work at their time level, exchanged with their
 /// particles there. To second order that is dt^2/8 (f_(n-2) b_(n-1) - f_(n-1) b_(n-2)), b the
@@ -34,10 +34,10 @@ class EnergyAccount {
   /// Of a contact with friction.
   void leave_out_exchange() { exchange_ = 0.0; }
 
-  /// R of a pair that is first seen where it stands, with the energy `stored` in its contact.
+  /// R of a pair without a stored state, whose contact has the energy `stored`.
   static double at_start(double stored) { return -stored; }
 
-  /// What a force does on the way to the next time level, when that is reached, [energy].
+  /// Work of the force of the last time level on the way here, [energy].
   double work_of_last(double force, const StaggeredMotion& now) const {
     if (force == 0.0) return 0.0;
     const double speed_squared = now.rate * now.rate + now.sideways * now.sideways;
@@ -45,39 +45,38 @@ class EnergyAccount {
     const double distance = std::hypot(now.distance - step_ * now.rate, step_ * now.sideways);
     return 0.5 * step_ * force * along / distance;
   }
-  /// What the force of this time level does on the way here, [energy].
+  /// Work of the force of this time level on the way here, [energy].
   double work(double force, const StaggeredMotion& now) const {
     return 0.5 * step_ * force * now.rate;
   }
-  /// The same in the first step of a run, whose velocities are those of the time level: what the
-  /// other half of the way, to the next one, would count too much. `mean` [length/time]: the rate
-  /// on it.
+  /// The same in the first step of a run, whose velocities are those of the time level; it corrects
+  /// the work on the way to the next time level. `mean` [length/time]: the rate on that way.
   double work_of_first_force(double force, const StaggeredMotion& now, double mean) const {
     return -0.25 * step_ * force * (mean - now.rate);
   }
-  /// What the other forces add to R for acting one step late. `force`: of the contact in the last
-  /// step; external [length/time^2]: acceleration of the distance by other forces in it.
+  /// Change of R because the other forces act one step late. `force`: of the contact in the last
+  /// step; `external` [length/time^2]: acceleration of the distance by other forces in it.
   [[gnu::always_inline]] double exchanged(double force, double external,
                                           const ContactState& state) const {
     return exchange_ * (force * state.external_before - state.force_before * external);
   }
 
-  /// Sets the force with which a pair of account `r` flies on at the speed that closes it, but not
-  /// at less than half of the speed that `force`, of its motion alone, gives it. False, where it
-  /// has to settle later: that energy is missing, or the pair comes back and its force stays.
+  /// Sets the force so that a pair with the account `r` flies on at the speed that closes it, but
+  /// at no less than half of its speed under `force`. Returns false where the account has to be
+  /// closed later: the energy does not suffice, or the pair comes back and keeps its force.
   bool settle(const StaggeredMotion& now, double load, double r, double& force) const {
     const double speed = now.rate + 0.5 * step_ * load;
     if (!(speed > 0.0)) return false;
-    // Down to 0 at once, and the two copies of a pair across a periodic face would part: they
-    // differ by rounding, of which the root of a small difference makes far more.
+    // A speed near 0 would be the root of a small difference, which amplifies round-off: the two
+    // copies of a pair across a periodic face would move apart.
     const double flies_at = speed + step_ * force / reduced_mass_;
     const double least = flies_at > 0.0 ? 0.25 * flies_at * flies_at : 0.0;
     const double left = speed * speed - 2.0 * r / reduced_mass_;
     force = reduced_mass_ * (std::sqrt(std::max(left, least)) - speed) / step_;
     return left >= least;
   }
-  /// Whether what is pending of a pair that has left its range matters: R, and work of its last
-  /// forces that is still to come. Positions are rounded by eps distance.
+  /// Whether R and the pending work of the last forces of a pair that has left its range are above
+  /// round-off. Positions are rounded by eps distance.
   bool is_open(const StaggeredMotion& now, double r, const ContactState& state) const {
     const double rate = std::abs(now.rate);
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * now.distance / step_;

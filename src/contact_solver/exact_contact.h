@@ -15,17 +15,17 @@
 
 namespace cohesion::contact_solver {
 
-/// A contact of two spheres, or of a sphere and a wall: the normal motion by its solver, and
-/// springs, dashpots and sliders of friction and of rolling friction (contact_spring.h). In a
+/// A contact of two spheres, or of a sphere and a wall. A solver integrates the normal motion;
+/// springs, dashpots and sliders give friction and rolling friction (contact_spring.h). In a
 /// persistent contact these are discrete springs (discrete_spring.h). In a resolved step the
-/// midpoint rule integrates them over the time in contact, and half of their impulse acts at n,
-/// half at n+1.
+/// midpoint rule integrates them over the time in contact; half of their impulse acts at time level
+/// n, half at n+1.
 ///
-/// Momentum and angular momentum are kept to rounding. Pairs of equal bodies can share an object:
-/// everything that does not change from step to step is worked out once.
+/// Momentum and angular momentum are conserved to round-off. Pairs of equal bodies can share an
+/// object: it contains only what does not change from step to step.
 ///
 /// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver, JkrSolver or WellEdgeSolver. SIZE:
-/// what is stored, and so whether there is friction, and rolling friction.
+/// the stored numbers, which decide whether there is friction and rolling friction.
 template <class Solver>
 class ExactContact {
  public:
@@ -54,28 +54,34 @@ class ExactContact {
   const Solver& solver() const { return solver_; }
   /// Gap up to which the pair attracts, [length].
   double range() const { return solver_.outer_distance() - bodies_.distance(); }
-  /// Whether there is any adhesion; at a well as wide as the contact it has no range.
+  /// Whether there is any adhesion. That of a well as wide as the contact has no range.
   bool attracts() const { return range() > 0.0 || solver_.adhesion_energy(0.0) < 0.0; }
 
-  /// Whether a pair that stands at this distance [length] is in range, where nothing is known of
-  /// how it came there.
+  /// Whether a pair without a stored state is in range at this distance [length].
   bool is_in_range(double distance) const { return distance <= solver_.entry_distance(); }
 
-  /// Whether a pair out of range may come into it in this step. `flown` [length]: what a pair can
-  /// fly in it more than its velocity says.
+  /// Whether the surfaces touch at this overlap [length], and the normal force of Coulomb's limit
+  /// less the contact force there, [force].
+  bool touches(double overlap, const ContactHistory& history) const {
+    return history.normal.in_range() && overlap > lowest_overlap_;
+  }
+  double friction_load(double, const ContactHistory&) const { return friction_load_; }
+
+  /// Whether a pair out of range may enter it in this step. `flown` [length]: upper bound of the
+  /// displacement by forces within the step.
   bool within_reach(const RelativeState& now, double flown) const {
     const double range = solver_.outer_distance() + flown;
     const double square = dot(now.separation, now.separation);
     const double closing = -step_ * dot(now.separation, now.velocity);
     const double reach = range + std::max(closing, 0.0) / range;
     if (square > reach * reach) return false;
-    // No part of a straight flight is nearer than its part along the line of centres.
+    // A straight flight comes no nearer than its component along the line of centres does.
     const double distance = std::sqrt(square);
     return distance * (distance - range) <= std::max(closing, 0.0);
   }
 
-  /// Whether a pair that is in its well, with nothing pending, certainly meets neither contact nor
-  /// edge in this step: nothing acts on it. `values`: the stored history; flown: as above.
+  /// Whether a pair in its well, with nothing pending, certainly meets neither contact nor edge in
+  /// this step, so that no force acts. `values`: the stored history; `flown`: as above.
   [[gnu::always_inline]] bool is_idle(const RelativeState& now, const double* values,
                                       double flown) const {
     if constexpr (std::is_base_of_v<SquareWellSolver, Solver>)
@@ -85,9 +91,9 @@ class ExactContact {
       return false;
   }
 
-  /// A step of a contact that was persistent in the last one and certainly is in this one; false,
-  /// and nothing done, where that is not certain. `values`: the stored history. linear: the contact
-  /// is known to be; all that such a one needs fits into registers.
+  /// Advances a contact that was persistent in the last step and certainly remains so. Returns
+  /// false, and does nothing, where that is not certain. `values`: the stored history; `linear`:
+  /// the normal law is known to be linear, and all data of the step fit into registers.
   template <int SIZE, bool linear = false>
   [[gnu::always_inline]] bool advance_persistent(const PairMotion& now, double* values,
                                                  FrictionalStep& step) const {
@@ -125,9 +131,9 @@ class ExactContact {
     return true;
   }
 
-  /// Any step. `acceleration` [length/time^2]: of j less that of i by all forces of the last step
-  /// but impulses; first: in the first step of a run, whose velocities are those of the time level.
-  /// `energies` may be null.
+  /// Advances any contact. `acceleration` [length/time^2]: of j relative to i by all forces of the
+  /// last step except impulses; `first`: in the first step of a run, whose velocities are those of
+  /// the time level. `energies` may be null.
   template <int SIZE>
   FrictionalStep advance(const PairMotion& now, const Vector3& acceleration, bool first,
                          ContactHistory& history, ContactEnergies* energies) const {
@@ -175,7 +181,7 @@ class ExactContact {
       }
       if constexpr (SIZE >= ContactHistory::with_rolling) {
         Spring of_rolling;
-        // In the middle of a resolved step friction has turned the spheres as far as it does here.
+        // Friction has turned the spheres by this much in the middle of a resolved step.
         const Vector3 turned =
             touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
                                    bodies_.inverse_inertia_j() * step.action.torque_j);
@@ -193,9 +199,9 @@ class ExactContact {
     return step;
   }
 
-  /// Where the last step was of another length, `last_step` [time], and the one that led here gave
-  /// half of each of its forces: sets the history as if it had been of this one. `acceleration`: as
-  /// in advance().
+  /// Converts the history where the last step had another length, `last_step` [time], so that the
+  /// true rate after it is unchanged. Half of each force of that step has acted before this time
+  /// level. `acceleration`: as in advance().
   void change_step(double last_step, const PairMotion& now, const Vector3& acceleration,
                    ContactHistory& history) const {
     ContactState& state = history.normal;
@@ -209,20 +215,20 @@ class ExactContact {
     } else if (state.phase == ContactState::touching || state.phase == ContactState::inside) {
       state.velocity_offset *= step_ / last_step;
     } else {
-      // The velocity after an event is what it is.
+      // The velocity after an event does not depend on the step.
       state.velocity_offset += 0.5 * bodies_.inverse_mass() * state.force * (last_step - step_);
       if (state.phase == ContactState::settling) state.phase = ContactState::left;
     }
   }
 
-  /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
+  /// The impulse of spring, dashpot and friction on j; the rest is adhesion.
   Vector3 by_contact(const PairMotion& now, const FrictionalStep& step) const {
     if (!attracts()) return step.action.impulse;
     const Vector3& s = now.relative.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
-  /// What is stored at a time level between two runs.
+  /// Stored energies at a time level between two runs.
   StoredEnergies stored(const Vector3& separation, const ContactHistory& history) const {
     const double distance = norm(separation), overlap = bodies_.distance() - distance;
     const bool stands = history.normal.phase == ContactState::unknown && is_in_range(distance);
@@ -239,10 +245,10 @@ class ExactContact {
     const ContactState& before;
     const ContactState& after;
     const ContactStep& step;
-    double offset;            ///< true rate at the time level less the staggered one, by itself
+    double offset;            ///< true rate at the time level less the staggered one
     double overlap;           ///< [length]
     double overlap_before;    ///< at the time level before
-    double repulsion_before;  ///< of a contact that was persistent so far, [force]
+    double repulsion_before;  ///< of a contact that has been persistent, [force]
     double overlap_at_end;
     double lowest;  ///< at which contact ends
 
@@ -263,7 +269,7 @@ class ExactContact {
       return 0.5 * (std::max(a, lowest) + std::max(b, lowest));
     }
   };
-  /// The energies of a spring: what is lost, and in the dashpot alone, before and after the time
+  /// Energies of a spring: stored, lost in all, and lost in the dashpot, before and after the time
   /// level.
   struct Spring {
     double stored = 0.0;
@@ -302,7 +308,7 @@ class ExactContact {
     return impulse;
   }
 
-  /// The overlap at the next time level, of the contact by itself.
+  /// The overlap at the next time level without other forces.
   double overlap_at_end(const PairMotion& now, const Vector3& impulse) const {
     const Vector3 velocity = now.relative.velocity + bodies_.inverse_mass() * impulse;
     return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
@@ -319,7 +325,7 @@ class ExactContact {
     state.stretch = contact_spring.left_of_stretch(in_last_step, in_step) * state.stretch;
     const Vector3 left = state.stretch;
     state.impulse = touch.plane().turned_into(state.impulse);
-    // What begins at a time level begins with the true velocity.
+    // A contact that begins at a time level begins with the true velocity.
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
     bool slips = false;
     Vector3 stretch{}, impulse;

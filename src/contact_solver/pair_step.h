@@ -24,6 +24,7 @@ struct StepWindow {
 /// What a sampled force does to a pair in one step.
 struct PairStep {
   Vector3 velocity_change{};  ///< of the relative velocity, [length/time]
+  double force = 0.0;         ///< along the normal, positive where it repels, [force]
   NormalRecord normal{};
   bool inside = false;  ///< in the range of the adhesion at the end of the step
 };

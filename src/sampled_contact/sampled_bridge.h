@@ -44,11 +44,13 @@ class SampledBridge : public SampledPair {
     if (step.inside != inside)
       step.normal.dissipated +=
           (step.inside ? -1.0 : 1.0) * pull_.work(window.before * now.rate - now.overlap);
-    const double attraction = step.inside ? pull_.at(-now.overlap) : 0.0;
-    step.velocity_change = (time * (now.repulsion - attraction) / reduced_mass()) * now.normal;
+    step.force = now.repulsion - attraction(now.overlap, step.inside);
+    step.velocity_change = (time * step.force / reduced_mass()) * now.normal;
     return step;
   }
 
+  /// `inside`: whether the pair has its bridge; [force].
+  double attraction(double overlap, bool inside) const { return inside ? pull_.at(-overlap) : 0.0; }
   /// Of a pair that has its bridge, zero at touch.
   double adhesion_energy(double overlap) const { return pull_.work(-overlap); }
 

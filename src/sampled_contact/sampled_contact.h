@@ -45,6 +45,11 @@ class SampledContact {
   bool is_in_range(double distance) const {
     return distance < bodies_.distance() + pair_.entry_range();
   }
+  /// As those of ExactContact.
+  bool touches(double overlap, const ContactHistory&) const { return overlap > 0.0; }
+  double friction_load(double overlap, const ContactHistory& history) const {
+    return pair_.attraction(overlap, history.normal.in_range());
+  }
   bool within_reach(const RelativeState& grid, double /*flown*/) const {
     return pair_.within_reach(grid, window_);
   }
@@ -69,6 +74,7 @@ class SampledContact {
     history.normal.phase = normal.inside ? ContactState::inside : ContactState::outside;
     FrictionalStep step;
     step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
+    history.normal.force = normal.force;
     step.repulsion = normal.normal.repulsion_impulse;
     if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
     Losses slid, rolled;

@@ -37,14 +37,17 @@ class SampledHamaker : public SampledPair {
     PairStep step;
     const double time = window.length();
     const SampledMotion now = sample(state, time, step.normal);
-    const double attraction =
-        std::visit([&](const auto& law) { return law.force(-now.overlap, attraction_.geometry); },
-                   attraction_.law);
-    step.velocity_change = (time * (now.repulsion - attraction) / reduced_mass()) * now.normal;
+    step.force = now.repulsion - attraction(now.overlap, true);
+    step.velocity_change = (time * step.force / reduced_mass()) * now.normal;
     step.inside = -now.overlap < range();
     return step;
   }
 
+  /// [force]
+  double attraction(double overlap, bool /*inside*/) const {
+    return std::visit([&](const auto& law) { return law.force(-overlap, attraction_.geometry); },
+                      attraction_.law);
+  }
   double adhesion_energy(double overlap) const {
     return std::visit([&](const auto& law) { return law.energy(-overlap, attraction_.geometry); },
                       attraction_.law);

@@ -57,11 +57,14 @@ class SampledWell : public SampledPair {
     const SampledMotion now = sample(state, time, step.normal);
     const double impulse =
         sampled_edge_impulse(depth_, range(), inverse_mass_, -now.overlap, now.rate, inside);
+    step.force = now.repulsion + impulse / time;
     step.velocity_change = ((time * now.repulsion + impulse) * inverse_mass_) * now.normal;
     step.inside = inside;
     return step;
   }
 
+  /// Its edge gives impulses, and nothing in contact.
+  static constexpr double attraction(double /*overlap*/, bool /*inside*/) { return 0.0; }
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
 
  private:

@@ -105,7 +105,7 @@ class SmallGases(unittest.TestCase):
 
 class Theory(unittest.TestCase):
     def test_compressibilities(self):
-        """van der Hoef et al. 2006, table and figures: four digits."""
+        """Four digits, from the coefficients of van der Hoef et al. 2006, table III."""
         for phi, cs, ma in ((0.05, 0.2274, 0.2275), (0.3, 2.9738, 2.9480), (0.45, 8.385, 8.285), (0.5, 12.0, 12.17)):
             self.assertAlmostEqual(theory.y_of(theory.carnahan_starling, phi) / cs, 1, delta=3e-4)
             self.assertAlmostEqual(theory.y_of(theory.ma_ahmadi, phi) / ma, 1, delta=3e-4)

@@ -131,9 +131,9 @@ class Reading(unittest.TestCase):
         self.assertIsNone(analyse.transition(analyse.Results([result(0.3, 0.01)]), 8))
 
     def test_rises(self):
-        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (3, 0.1)]), "yes")
-        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (1.9, 0.1)]), "unclear")
-        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (1, 0.1)]), "no")
+        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (3, 0.1)]), "agrees")
+        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (1.9, 0.1)]), "cannot tell")
+        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (1, 0.1)]), "differs")
 
     def test_errors_are_shown_with_two_digits(self):
         self.assertEqual(analyse.show((12.345, 0.0123)), "12.345 +- 0.012")

@@ -11,7 +11,7 @@ from scipy.stats import ttest_ind_from_stats
 
 import study
 from cohesion_studies.bed import statements
-from cohesion_studies.bed.verdict import (AGREES, CANNOT_TELL, DOES_NOT, NOT_SEEN, Claim, Study, above, alike,
+from cohesion_studies.bed.verdict import (AGREES, CANNOT_TELL, DIFFERS, NOT_SEEN, Claim, Study, above, alike,
                                           less_than_half, together, trend)
 from cohesion_studies.study_table import write_summary
 
@@ -63,6 +63,7 @@ class Made(unittest.TestCase):
             rows[row] = {**{figure: spread(0.7 + 0.2 * change, deviation, seeds) for figure in statements.VELOCITIES},
                          "mixing": spread(2 - change, deviation, seeds),
                          "movement": spread(2e-3 - 1e-3 * change, 1e-3 * deviation, seeds),
+                         "overshoot": spread(0.1 * change, deviation, seeds),
                          "overshoot_over_plateau": spread(0.1 * change, deviation, seeds),
                          "plugging": spread(0.5 + 0.4 * change, deviation, seeds)}
         return self.made_up(rows, speeds)
@@ -82,38 +83,46 @@ class Rule(Made):
             made = self.made_up({"a": {"u": spread(first, deviation, seeds)}, "b": {"u": spread(1.0, 0.3, other)}})
             a, b = made.mean("a", "u"), made.mean("b", "u")
             test = ttest_ind_from_stats(a.value, a.deviation, a.seeds, b.value, b.deviation, b.seeds, equal_var=False)
-            expected = CANNOT_TELL if test.pvalue > 0.05 else AGREES if a.value > b.value else DOES_NOT
+            expected = CANNOT_TELL if test.pvalue > 0.05 else AGREES if a.value > b.value else DIFFERS
             self.assertEqual(together(above("u", "a", "b"), made), expected)
             seen.add(expected)
-        self.assertEqual(seen, {AGREES, DOES_NOT, CANNOT_TELL})
+        self.assertEqual(seen, {AGREES, DIFFERS, CANNOT_TELL})
 
     def test_of_a_trend(self):
         rows = {name: {"u": spread(mean, 0.1)} for name, mean in (("a", 1.0), ("b", 1.4), ("c", 1.3))}
         made, where = self.made_up(rows), {"a": 0.0, "b": 1.0, "c": 2.0}
         self.assertEqual(together(trend("u", where), made), AGREES)
-        self.assertEqual(together(trend("u", where, -1), made), DOES_NOT)
+        self.assertEqual(together(trend("u", where, -1), made), DIFFERS)
         self.assertEqual(together(trend("u", {**where, "c": float("nan")}), made), CANNOT_TELL)
         self.assertEqual(together(trend("u", dict.fromkeys(where, 1.0)), made), CANNOT_TELL)
 
     def test_of_what_is_alike(self):
         """None 1, one 2, other 2 + x: half of the effect is 0.5 + x/4, so that the border is x = 2/3."""
-        for x, deviation, expected in ((0.1, 0.01, AGREES), (0.6, 0.01, AGREES), (0.75, 0.01, DOES_NOT),
-                                       (-0.35, 0.01, AGREES), (-0.45, 0.01, DOES_NOT), (0.1, 1.0, CANNOT_TELL)):
+        for x, deviation, expected in ((0.1, 0.01, AGREES), (0.6, 0.01, AGREES), (0.75, 0.01, DIFFERS),
+                                       (-0.35, 0.01, AGREES), (-0.45, 0.01, DIFFERS), (0.1, 1.0, CANNOT_TELL)):
             made = self.made_up({"none": {"u": spread(1.0, deviation)}, "one": {"u": spread(2.0, deviation)},
                                  "other": {"u": spread(2.0 + x, deviation)}})
             self.assertEqual(together(alike("u", "one", "other", "none", "none"), made), expected, x)
+
+    def test_of_falls_that_are_alike(self):
+        """As the rises, with both signs turned."""
+        for x, expected in ((0.6, AGREES), (0.75, DIFFERS), (-0.35, AGREES), (-0.45, DIFFERS)):
+            made = self.made_up({"none": {"u": spread(3.0, 0.01)}, "one": {"u": spread(2.0, 0.01)},
+                                 "other": {"u": spread(2.0 - x, 0.01)}})
+            self.assertEqual(together(alike("u", "one", "other", "none", "none", sense=-1), made), expected, x)
+            self.assertEqual(together(alike("u", "one", "other", "none", "none"), made), DIFFERS, x)
 
     def test_of_effects_of_two_kinds(self):
         """Effects 1 and 1.1 over 1 and 3 are alike, over 1 and 1 they are 1 and 3.1."""
         made = self.made_up({"none": {"u": spread(1.0, 0.01)}, "rest": {"u": spread(3.0, 0.01)},
                              "one": {"u": spread(2.0, 0.01)}, "other": {"u": spread(4.1, 0.01)}})
         self.assertEqual(together(alike("u", "one", "other", "none", "rest"), made), AGREES)
-        self.assertEqual(together(alike("u", "one", "other", "none", "none"), made), DOES_NOT)
+        self.assertEqual(together(alike("u", "one", "other", "none", "none"), made), DIFFERS)
 
     def test_of_less_than_half_a_fall(self):
         """Of a fall by 2 over the range: 0.8 in either direction is, 1.2 is not."""
         where = {"a": 0.0, "b": 1.0}
-        for change, expected in ((0.8, AGREES), (-0.8, AGREES), (1.2, DOES_NOT), (-1.2, DOES_NOT)):
+        for change, expected in ((0.8, AGREES), (-0.8, AGREES), (1.2, DIFFERS), (-1.2, DIFFERS)):
             made = self.made_up({"a": {"u": spread(3.0, 0.01)}, "b": {"u": spread(1.0, 0.01)},
                                  "c": {"u": spread(5.0, 0.01)}, "d": {"u": spread(5.0 + change, 0.01)}})
             claims = less_than_half("u", trend("u", {"c": 0.0, "d": 1.0}), trend("u", where, -1))
@@ -134,7 +143,7 @@ class Rule(Made):
     def test_all_claims_must_hold(self):
         made = self.made_up({"a": {"u": spread(1, 0.1)}, "b": {"u": spread(2, 0.1)}, "c": {"u": spread(2, 0.1)}})
         yes, no, unclear = Claim("u", {"b": 1, "a": -1}), Claim("u", {"a": 1, "b": -1}), Claim("u", {"b": 1, "c": -1})
-        for claims, expected in (([yes, yes], AGREES), ([yes, unclear], CANNOT_TELL), ([yes, no, unclear], DOES_NOT)):
+        for claims, expected in (([yes, yes], AGREES), ([yes, unclear], CANNOT_TELL), ([yes, no, unclear], DIFFERS)):
             self.assertEqual(together(claims, made), expected)
 
 
@@ -152,16 +161,16 @@ class Statements(Made):
         agree, oppose, noisy = (self.verdicts(statements.of_levels, self.level_study(*numbers))
                                 for numbers in ((1, 0.01), (-1, 0.01), (1, 3.0)))
         self.assertEqual(set(agree.values()), {AGREES})
-        self.assertEqual({text: verdict for text, verdict in oppose.items() if verdict != DOES_NOT}, {})
+        self.assertEqual({text: verdict for text, verdict in oppose.items() if verdict != DIFFERS}, {})
         self.assertEqual(set(noisy.values()), {CANNOT_TELL})
-        # Three velocities: two slopes and three levels, twice; mixing, movement and plugs of two laws, twice; schemes.
-        self.assertEqual(len(agree), 2 * (3 * (2 + 3) + 3 * 2) + 3 * 2 * 3)
+        # Velocities, mixing and movement: two slopes and three levels; overshoot and plugs of two laws; schemes.
+        self.assertEqual(len(agree), 2 * (5 * (2 + 3) + 2 * 2) + 3 * 2 * 3)
 
     def test_of_mechanisms(self):
         agree = self.verdicts(statements.of_mechanisms, self.mechanism_study(lambda x: x, 0.005))
         self.assertEqual(set(agree.values()), {AGREES})
         oppose = self.verdicts(statements.of_mechanisms, self.mechanism_study(lambda x: 0.5 - x, 0.005))
-        self.assertEqual(set(oppose.values()), {DOES_NOT})
+        self.assertEqual(set(oppose.values()), {DIFFERS})
         noisy = self.verdicts(statements.of_mechanisms, self.mechanism_study(lambda x: x, 2.0))
         self.assertEqual(set(noisy.values()), {CANNOT_TELL})
 

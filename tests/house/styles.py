@@ -10,7 +10,8 @@ SOURCE = Path(sys.argv.pop(1) if len(sys.argv) > 1 else Path(__file__).resolve()
 PACKAGE = SOURCE / "lammps-package"
 PAGES = SOURCE / "docs/lammps-package"
 COMMANDS = {"Pair": "pair_style", "Fix": "fix", "Compute": "compute"}
-REGISTERED = re.compile(r"^\s*(Pair|Fix|Compute)Style\(([a-z][\w/]*),", re.M)  # capitals are for internal use
+# Capitals are for internal use; a former name leads to the page of the current one.
+REGISTERED = re.compile(r"^\s*(Pair|Fix|Compute)Style\(([a-z][\w/]*),(?!\s*Former)", re.M)
 LAWS = PACKAGE / "soft_contacts/cohesion_laws.h"
 
 

@@ -69,10 +69,12 @@ class Report(unittest.TestCase):
         for line in ("| hamaker | pair | 3 | 2 | 0 | 0 | 0 | 1 | 0 | 0 | 0 | 0 |",
                      "| hamaker | wall | 3 | 2 | 0 | 0 | 1 | 0 | 0 | 0 | 0 | 0 |",
                      "| hamaker | three spheres | 3 | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 2 |",
-                     "Of the three spheres that are right 0 are so at the first time alone, 1 at the second alone.",
-                     "Random points of which a case is wrong in silence, crashed or hangs, or whose reference did not "
-                     "run: 2"):
+                     "Of the correct cases of three spheres 0 are correct at the first time only, 1 at the second only.",
+                     f"| hamaker | {extremes.name_of(values)} | 0 of 0 | 2 |"):
             self.assertIn(line, lines)
+        self.assertEqual(len([line for line in lines if line.startswith("| random: ")]), 2)
+        self.assertIn("| correct, 0.0e+00 | incorrect, no warning, 3.0e-01 | correct, later only, 0.0e+00 |",
+                      next(line for line in lines if line.startswith("| random: ")))
 
 
 if __name__ == "__main__":

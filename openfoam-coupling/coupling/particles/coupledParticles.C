@@ -18,7 +18,8 @@ Foam::coupledParticles::coupledParticles
     const bool continued,
     const vector& g,
     const gasDensity& density,
-    const scalar& depthRatio
+    const scalar& depthRatio,
+    std::function<particleAveraging&()> locatedAveraging
 )
 :
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
@@ -26,7 +27,8 @@ Foam::coupledParticles::coupledParticles
     continued_(continued),
     g_(g),
     density_(density),
-    depthRatio_(depthRatio)
+    depthRatio_(depthRatio),
+    locatedAveraging_(std::move(locatedAveraging))
 {}
 
 

@@ -136,7 +136,7 @@ StiffnessScaling from_real(double young) { return {real_young, young, hertz_powe
 }  // namespace
 
 // Within 1e-3: the velocities are bisected to 1e-5, of impacts in steps of t_c/1000, whose error is
-// of second order and at t_c/20 2e-4 (docs/theory/hertz_contacts.md).
+// of second order and at t_c/20 2e-4 (docs/verification/contact_motion.md).
 TEST(StiffnessScaling, KeepsTheEscapeVelocityOfHertzsContact) {
   const hamaker::HamakerParameters real{7.49e-19, 4e-10, 1e-7};
   for (const double e : {0.5, 0.9, 0.99})

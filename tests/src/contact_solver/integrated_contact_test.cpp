@@ -74,8 +74,8 @@ TEST(IntegratedContact, RestitutionIsTheSameAtEverySpeed) {
 }
 
 TEST(IntegratedContact, EscapesAtTheVelocityOfTheConvergedIntegration) {
-  // The largest relative error of the escape velocity; docs/theory/hertz_contacts.md has what is
-  // printed.
+  // The largest relative error of the escape velocity; docs/verification/contact_motion.md has what
+  // is printed.
   double coarse = 0.0, coarse_damped = 0.0, fine = 0.0;
   for (const double diameter : {1e-3, 1e-4, 1e-5})
     for (const double modulus : {5e6, 1e9, 3.7e10})

@@ -12,7 +12,7 @@ from cohesion_tests.theory import stacked_spheres as theory
 
 #: Contact times over the step.
 RESOLUTIONS = (40, 80, 160)
-#: What a load presses a resting contact more than F/K at t_c/10, by the restitution, as docs/verification/contacts.md lists it [%].
+#: What a load presses a resting contact more than F/K at t_c/10, by the restitution, as docs/verification/contact_motion.md lists it [%].
 LISTED = {1: 0.8, 0.9: 1.9, 0.5: 7.8, 0.3: 12.6, 0.1: 20.7}
 
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What M. Weber's thesis says of cohesive beds (chapters 6 to 8), and whether the beds of our studies say so too: a
-table of its statements, each with the means over the seeds, their standard errors, and a verdict by the rule of
-verdict.py."""
+"""Statements of M. Weber's thesis on cohesive beds (chapters 6 to 8), compared with the beds of the studies: a table of
+the statements, each with the means over the seeds, their standard errors, and a verdict by the rule of verdict.py."""
 
 from collections import namedtuple
 
@@ -34,7 +33,8 @@ def rises_with_escape_velocity(study, figure, law, suffix, text, sign=1):
 
 
 def of_levels(study):
-    """Chapter 7, with the exact scheme and with that of the thesis, and what the scheme does."""
+    """Chapter 7 and figure 8.21, with the exact scheme and with that of the thesis, and the influence of the scheme.
+    That mixing slows and movement falls is not in the thesis, but that both are alike for both laws is."""
     found = []
     for suffix in SCHEMES:
         for figure, name in VELOCITIES.items():
@@ -46,6 +46,12 @@ def of_levels(study):
                                        alike(figure, *pair, *(without(law, suffix) for law in LAWS))))
         for figure, text in (("mixing", "mixing slows with v_esc"), ("movement", "movement falls with v_esc")):
             found += [rises_with_escape_velocity(study, figure, law, suffix, text, -1) for law in LAWS]
+            for level in LEVELS:
+                pair = [f"{law}-{level}{suffix}" for law in LAWS]
+                found.append(Statement(f"{figure} alike for both laws, D = {level} J, {SCHEMES[suffix]}", figure, pair,
+                                       alike(figure, *pair, *(without(law, suffix) for law in LAWS), sense=-1)))
+        found += [rises_with_escape_velocity(study, "overshoot", law, suffix, "overshoot rises with v_esc")
+                  for law in LAWS]
         for law in LAWS:
             none, low, _, high = by_level(law, suffix)
             found.append(Statement(f"plugs at D = {LEVELS[-1]} J and its like, {LAWS[law]}, {SCHEMES[suffix]}",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a statement holds by the means over seeds of a study, by one rule for all: a sum of means, each times a
-number, that should be positive. It is when it is above its standard error times Student's t of 95 %, two-sided; it is
-not when it is as far below; else the seeds cannot tell. The errors of the rows need not be alike: Welch's degrees of
-freedom. A sum that is 0 in every seed, as of events that never happen, is not seen."""
+"""Whether a statement agrees with the means over the seeds of a study. A statement is a sum of means, each times a
+number, that must be positive. It agrees if the sum exceeds Student's t of 95 %, two-sided, times its standard error.
+It differs if the sum is as far below zero. Otherwise the seeds cannot tell. Welch's degrees of freedom allow for rows
+of unequal errors. A sum that is 0 in every seed is not seen."""
 
 import csv
 from collections import namedtuple
@@ -13,7 +13,7 @@ from scipy.special import stdtrit
 
 CONFIDENCE = 0.95
 ROUNDING = 5e-6  # of the six digits of a mean
-AGREES, DOES_NOT, CANNOT_TELL, NOT_SEEN = "agrees", "does not", "cannot tell", "not seen"
+AGREES, DIFFERS, CANNOT_TELL, NOT_SEEN = "agrees", "differs", "cannot tell", "not seen"
 
 Mean = namedtuple("Mean", "value deviation seeds")  # the deviation is that of one run
 
@@ -67,13 +67,13 @@ class Claim:
         margin = ROUNDING * sum(abs(share * means[row].value) for row, share in self.shares.items())
         freedom = variance**2 / sum(part**2 / of for part, of in parts)
         margin += stdtrit(freedom, (1 + CONFIDENCE) / 2) * sqrt(variance)
-        return AGREES if value > margin else DOES_NOT if value < -margin else CANNOT_TELL
+        return AGREES if value > margin else DIFFERS if value < -margin else CANNOT_TELL
 
 
 def together(claims, study):
     """Of claims that must all hold."""
     verdicts = [claim.verdict(study) for claim in claims]
-    for one in (DOES_NOT, NOT_SEEN):
+    for one in (DIFFERS, NOT_SEEN):
         if one in verdicts:
             return one
     return AGREES if verdicts and set(verdicts) == {AGREES} else CANNOT_TELL
@@ -90,14 +90,14 @@ def trend(figure, where, sign=1):
     return [Claim(figure, {row: sign * (x - middle) for row, x in where.items()})]
 
 
-def alike(figure, one, other, none, other_none):
-    """That the effects of `one` and `other`, what they differ from `none` and `other_none` by, differ by less than half
-    of their mean, and that this is a rise; both ways round."""
-    claims = []
+def alike(figure, one, other, none, other_none, sense=1):
+    """That the effects of `one` and `other`, their differences from `none` and `other_none`, differ by less than half
+    of their mean, and that this mean is a rise, with `sense` -1 a fall; both ways round."""
+    claims, half = [], 0.25 * sense
     for sign in (1, -1):
-        shares = {one: 0.25 + sign, other: 0.25 - sign, none: 0.0}
-        shares[none] -= 0.25 + sign
-        shares[other_none] = shares.get(other_none, 0.0) - 0.25 + sign
+        shares = {one: half + sign, other: half - sign, none: 0.0}
+        shares[none] -= half + sign
+        shares[other_none] = shares.get(other_none, 0.0) - half + sign
         claims.append(Claim(figure, shares))
     return claims
 

@@ -19,13 +19,13 @@ FIGURES = ("correct/judged cases", "incorrect, unwarned", "stopped/all points")
 PROGRAM = "benchmarks/lammps-package/stability-campaign.py"
 HEAD = f"""# Stability at the ends of all parameters
 
-The stability campaign runs the contact laws of this package at the ends of their parameters and at random points
-between. It compares each result with a reference, and counts the incorrect results of runs that printed no warning. Use
-this page to see how far the time-step check can be relied on.
+This page shows how far the [time-step check](time_step_check.md) can be relied on. A campaign runs the contact laws of
+this package at the ends of their parameters and at random points between. It compares each result with a reference, and
+counts the incorrect results of runs without a warning.
 
-`{PROGRAM}` writes this page from runs with stock LAMMPS. The
-points are the same in every run. The campaign covers neither liquid bridges nor *sampled* walls of gran/hamaker. Hard
-spheres run with *rest off*, so that the reference is the law of restitution alone.
+`{PROGRAM}` writes this page. The points are the same in every run.
+The campaign covers neither liquid bridges, nor JKR, nor *sampled* walls of gran/hamaker. Hard spheres run with *rest
+off*, so that the reference is the law of restitution alone.
 """.splitlines()
 TERMS = """
 ## Points and cases
@@ -59,7 +59,7 @@ point. For particles in contact it is that of the positions over s/w, where w is
 | stops | the style stops with an error |
 
 Where a particle may have several contacts, a step beyond the [stability limit](../theory/contact_steps.md) stops the
-run, as in more than half of the points of the *exact* pairs.
+run.
 
 | contacts | tolerance |
 |---|---|
@@ -69,9 +69,8 @@ run, as in more than half of the points of the *exact* pairs.
 | *exact*, several contacts with friction | (w dt)^2 + 2 min(friction, 1) zeta w dt, at most 0.1 |
 | hard | 1e-9, or 100 times the effect of rounding the initial state |
 
-For particles in contact the tolerance of *exact* includes the offset of positions at a time level from the motion.
-[Exact contacts](../theory/exact_contacts.md) derives the errors of rotation and of several contacts; zeta is the
-damping ratio.
+Here zeta is the damping ratio. [Exact contacts](../theory/exact_contacts.md) derives the errors of rotation and of
+several contacts. For particles in contact the tolerance of *exact* includes the offset of positions at a time level.
 """.splitlines()
 STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""

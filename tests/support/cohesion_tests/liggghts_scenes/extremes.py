@@ -40,32 +40,51 @@ SECONDS = 120  # far above what a run takes, on a busy machine too
 LATER = 0.5
 SCHEMES = ("exact", "sampled")
 CASES = ("pair", "wall", "three spheres")
-HEAD = ("| changed | pair | wall | three spheres | said |", "|---|---|---|---|---|")
+HEAD = ("| varied | pair | wall | three spheres | reported |", "|---|---|---|---|---|")
 # Right at the end, and later.
 ONCE = {(True, False): ", later not", (False, True): ", later alone"}
 SILENT = "wrong, silent"
 WRONG = {"warned": "wrong, warned", "elsewhere": "wrong, other types warned", "silent": SILENT}
+KINDS = ("right", *WRONG.values(), "refused", "crashed", "hangs")
+
+# Verdicts in the words of the page.
+WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
+         "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
 
 PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
 
-`benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS_COHESION --table FILE` writes this page. Two spheres,
-a sphere and a wall, and a sphere that strikes two others meet head-on, with spring, restitution, sizes, densities,
-speed, step and attraction at the ends of their ranges, and at random points. Spheres have 1 mm and 2650 kg/m3, and
-*hooke/stiffness* contacts. Pairs and walls are compared with the closed form, three spheres with a sixteenth of the step.
+The campaign runs the cohesion models with *hooke/stiffness* contacts at the ends of their parameters and at random
+points between. It counts the incorrect results of runs without a warning. Use this page to see how far the time-step
+check can be relied on.
 
-| verdict | meaning |
+```
+benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS --table FILE
+```
+
+| case | particles, 1 mm, 2650 kg/m3 | compared with |
+|---|---|---|
+| pair | two spheres, head-on | closed form |
+| wall | a sphere and a wall, head-on | closed form |
+| three spheres | a sphere strikes two in contact | a sixteenth of the step, at two times |
+
+| outcome | meaning |
 |---|---|
-| right | the same particles stick, and speeds agree within 0.1 of the largest speed |
-| wrong, warned | the run warned of this contact |
-| wrong, other types warned | the run warned only of contacts that do not occur |
-| wrong, silent | wrong without a warning |
-| refused | the run stopped with an error |
+| correct | the same particles stick, and speeds agree within 0.1 of the largest speed, for three spheres at one of the times |
+| incorrect, warned | the run warned of this contact |
+| incorrect, warned for other contacts | the run warned only of contacts that do not occur |
+| incorrect, no warning | the run did not warn |
+| stops | the run stops with an error |
 | crashed, hangs | the run ended otherwise, or not at all |
 | not set up | contacts would overlap by half a radius |
 | no reference | the finer run warned of rounding |
 
-Three spheres are compared at two times; those that are right at one of them count as right. *depth* is the speed that
-the well adds over that of impact, *width* that of the well over the flight within it in a contact time.
+*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight within it in a
+contact time.
+"""
+POINTS = """
+A corner point sets one or a few parameters of the base point to an extreme value. The third column counts corner points
+with a case that is not correct. The last one counts random points with a case that is incorrect without a warning,
+crashed or hangs, or has no run as its reference.
 """
 
 SCRIPT = """units si
@@ -174,7 +193,7 @@ def judge_two(program, law, scheme, values, start, wall):
     stuck = now < 0 or (known < 0 and gap < pair.edge)
     error = 0.0 if known < 0 and stuck else abs(
         math.sqrt(2 * max(now, 0) / pair.mu) - math.sqrt(2 * max(known, 0) / pair.mu)) / pair.scale
-    # Who sticks is asked within the aim, too: of a speed of nothing.
+    # Whether they stick is judged within the tolerance, too: of a speed of zero.
     return verdict(said, error < AIM), error, said
 
 
@@ -229,8 +248,14 @@ def said_of(results):
     return ". ".join(f"{case}: {text}" for case, text in texts.items() if text)
 
 
+def word(verdict):
+    """A verdict as the page has it."""
+    start = next((known for known in WORDS if verdict.startswith(known)), "")
+    return WORDS.get(start, "") + verdict[len(start):].replace("alone", "only")
+
+
 def cell(result):
-    return f"{result[0]}" + ("" if result[1] is None else f", {result[1]:.1e}")
+    return word(result[0]) + ("" if result[1] is None else f", {result[1]:.1e}")
 
 
 def silent(verdict):
@@ -238,36 +263,45 @@ def silent(verdict):
     return verdict in (SILENT, "crashed", "hangs") or verdict.startswith("reference ")
 
 
+def counted(rows, model):
+    """Lines of the table of outcomes, of a model."""
+    lines = []
+    for k, case in enumerate(CASES):
+        count = collections.Counter("right" if r[k][0].startswith("right") else r[k][0]
+                                    for name, _, _, r in rows if name == model)
+        known = [count[kind] for kind in (*KINDS, "not set up")]
+        lines.append(f"| {model} | {case} | {sum(count.values())} | " + " | ".join(map(str, known))
+                     + f" | {sum(count.values()) - sum(known)} |")
+    return lines
+
+
+def listed(rows, model):
+    """Of a model: its corner points; those with a case that is not right; random points with a silent case."""
+    own = [(values, corner, results) for name, values, corner, results in rows if name == model]
+    corners = [(values, results) for values, corner, results in own if corner]
+    shown = [(values, results) for values, results in corners if not all(x[0].startswith("right") for x in results)]
+    found = [(values, results) for values, corner, results in own if not corner and any(silent(x[0]) for x in results)]
+    return corners, shown, found
+
+
 def report(rows):
     """Rows: name of the model, values, whether they are a corner, results."""
-    models = dict.fromkeys(row[0] for row in rows)
-    kinds = ("right", *WRONG.values(), "refused", "crashed", "hangs")
-    lines = [*PAGE.splitlines(), "",
-             "| model | case | points | " + " | ".join(kinds) + " | not set up | no reference |",
-             "|---|---|---|" + (len(kinds) + 2) * "---|"]
-    for model in models:
-        for k, case in enumerate(CASES):
-            count = collections.Counter("right" if r[k][0].startswith("right") else r[k][0]
-                                        for name, _, _, r in rows if name == model)
-            known = [count[kind] for kind in (*kinds, "not set up")]
-            lines.append(f"| {model} | {case} | {sum(count.values())} | " + " | ".join(map(str, known))
-                         + f" | {sum(count.values()) - sum(known)} |")
+    models = list(dict.fromkeys(row[0] for row in rows))
+    lines = [*PAGE.splitlines(), "", "## Results", "",
+             "| model | case | points | " + " | ".join(map(word, KINDS)) + " | not set up | no reference |",
+             "|---|---|---|" + (len(KINDS) + 2) * "---|"]
+    lines += [line for model in models for line in counted(rows, model)]
     once = collections.Counter(r[2][0] for _, _, _, r in rows)
     now, later = (once["right" + words] for words in ONCE.values())
-    lines += ["", f"Of the three spheres that are right {now} are so at the first time alone, {later} at the second "
-              "alone."]
-    for model in models:
-        base = LAWS[model.split(",")[0]]
-        corners = [(v, r) for name, v, corner, r in rows if name == model and corner]
-        shown = [(v, r) for v, r in corners if not all(x[0].startswith("right") for x in r)]
-        lines += ["", f"## {model}", "", f"Base point: {name_of(base)}. One parameter at a time: {len(shown)} of "
-                  f"{len(corners)} points have a case that is not right.", *["", *HEAD][:3 * bool(shown)]]
-        lines += [f"| {name_of(v)} | " + " | ".join(map(cell, r)) + f" | {said_of(r)} |" for v, r in shown]
-        found = [(v, r) for name, v, corner, r in rows if name == model and not corner
-                 and any(silent(x[0]) for x in r)]
-        lines += ["", "Random points of which a case is wrong in silence, crashed or hangs, or whose reference did not "
-                  f"run: {len(found)}"]
-        if found:
-            lines += ["", *HEAD]
-        lines += [f"| {name_of(v)} | " + " | ".join(map(cell, r)) + f" | {said_of(r)} |" for v, r in found]
+    lines += ["", f"Of the correct cases of three spheres {now} are correct at the first time only, {later} at the second "
+              "only.", *POINTS.splitlines(), "",
+              "| model | base point | corner points, not correct | random points, no warning |", "|---|---|---|---|"]
+    points = {model: listed(rows, model) for model in models}
+    lines += [f"| {model} | {name_of(LAWS[model.split(',')[0]])} | {len(shown)} of {len(corners)} | {len(found)} |"
+              for model, (corners, shown, found) in points.items()]
+    for model, (_, shown, found) in points.items():
+        if shown or found:
+            lines += ["", f"## {model}", "", *HEAD]
+        lines += [f"| {start}{name_of(v)} | " + " | ".join(map(cell, r)) + f" | {said_of(r)} |"
+                  for start, part in (("", shown), ("random: ", found)) for v, r in part]
     return "\n".join(lines) + "\n"

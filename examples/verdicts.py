@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes one page for each source of the examples from verdicts.csv: its claims by verdict. `--check` writes nothing
+and fails if a page is not current."""
+import argparse
+import csv
+import re
+import sys
+from collections import Counter
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[1]
+TABLE = SOURCE / "examples/verdicts.csv"
+COLUMNS = ["source", "place", "claim", "quote", "run", "verdict", "why", "where"]
+#: Verdict: heading of its section and of the column `why`.
+VERDICTS = {"agrees": ("Agrees", "result"), "differs": ("Differs", "result"),
+            "cannot tell": ("Cannot tell", "because"), "not run": ("Not run", "because")}
+WORDS = 1500  # of a page
+CLAIM, QUOTE = 15, 25  # words
+
+#: Source: page, title, reference.
+SOURCES = {
+    "Weber 2004": (
+        "docs/verification/source_weber.md", "Claims of M. Weber's thesis",
+        "M. Weber, *Simulation of Cohesive Particle Flows in Granular and Gas-Solid Systems*, PhD thesis, University of\n"
+        "Colorado, 2004"),
+    "Hoomans et al. 1996": (
+        "docs/verification/source_hoomans.md", "Claims of Hoomans et al.",
+        "B. P. B. Hoomans, J. A. M. Kuipers, W. J. Briels, W. P. M. van Swaaij, *Discrete particle simulation of bubble\n"
+        "and slug formation in a two-dimensional gas-fluidised bed: a hard-sphere approach*, Chem. Eng. Sci. 51 (1996)\n"
+        "99"),
+    "van der Hoef et al. 2006": (
+        "docs/verification/source_van_der_hoef.md", "Claims of van der Hoef et al.",
+        "M. A. van der Hoef, M. Ye, M. van Sint Annaland, A. T. Andrews IV, S. Sundaresan, J. A. M. Kuipers,\n"
+        "*Multiscale modeling of gas-fluidized beds*, Adv. Chem. Eng. 31 (2006) 65"),
+}
+
+
+def read(file=TABLE):
+    with open(file, newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
+def faults(row):
+    """Why a row of the table is not valid."""
+    found = [f"no {name}" for name in COLUMNS if not row.get(name)]
+    if row["source"] not in SOURCES:
+        found.append(f"unknown source: {row['source']}")
+    if row["verdict"] not in VERDICTS:
+        found.append(f"unknown verdict: {row['verdict']}")
+    found += [f"{name}: more than {limit} words" for name, limit in (("claim", CLAIM), ("quote", QUOTE))
+              if len(row[name].split()) > limit]
+    if not (SOURCE / row["where"] / "README.md").exists():
+        found.append(f"no page in {row['where']}")
+    return found
+
+
+def words(text):
+    """Number of words, without the marks of tables."""
+    return len(re.findall(r"[^\s|]*\w[^\s|]*", text))
+
+
+def section(verdict, rows):
+    heading, why = VERDICTS[verdict]
+    lines = [f"## {heading}", "", f"| place | claim | {why} | example |", "|---|---|---|---|"]
+    for row in rows:
+        cells = [row[name].replace("*", r"\*") for name in ("place", "claim", "why")]
+        lines.append(f"| {' | '.join(cells)} | [{Path(row['where']).name}](../../{row['where']}/README.md) |")
+    return "\n".join(lines) + "\n"
+
+
+def page(source, rows):
+    _, title, reference = SOURCES[source]
+    rows = [row for row in rows if row["source"] == source]
+    counts = Counter(row["verdict"] for row in rows)
+    head = f"""# {title}
+
+{reference}.
+
+`examples/verdicts.py` makes this page from `examples/verdicts.csv`, which also has the quoted words of the source and
+the parameters of each run.
+
+| {' | '.join(VERDICTS)} | all |
+|{'---|' * (len(VERDICTS) + 1)}
+| {' | '.join(str(counts[verdict]) for verdict in VERDICTS)} | {len(rows)} |
+"""
+    sections = [section(verdict, [row for row in rows if row["verdict"] == verdict])
+                for verdict in VERDICTS if counts[verdict]]
+    return "\n".join([head, *sections])
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--check", action="store_true", help="only report pages that are not current")
+    check, rows, stale = options.parse_args().check, read(), []
+    for source, (name, *_) in SOURCES.items():
+        text, file = page(source, rows), SOURCE / name
+        if check and (not file.exists() or file.read_text() != text):
+            stale.append(name)
+        elif not check:
+            file.write_text(text)
+            print(f"{name}: {words(text)} words")
+    if stale:
+        sys.exit(f"not current, run examples/verdicts.py: {', '.join(stale)}")
+
+
+if __name__ == "__main__":
+    main()
