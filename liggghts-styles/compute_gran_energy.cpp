@@ -19,7 +19,7 @@ using namespace LAMMPS_NS;
 using namespace cohesion::energy_tally;
 using cohesion::vector;
 
-ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
+ComputeGranularEnergy::ComputeGranularEnergy(LAMMPS* engine, int count, char** words)
     : StyleCompute(engine, count, words) {
   const std::string where = std::string("compute ") + id + " gran/energy";
   if (count != 3)
@@ -36,37 +36,37 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
   hidden_fix<FixEnergyTally>(lmp);
 }
 
-ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
+ComputeGranularEnergy::~ComputeGranularEnergy() { delete[] vector; }
 
-void ComputeGranEnergy::pre_delete(bool) {
+void ComputeGranularEnergy::pre_delete(bool) {
   if (find_hidden_fix<FixEnergyTally>(lmp)) modify->delete_fix(FixEnergyTally::STYLE);
 }
 
-void ComputeGranEnergy::init() {
+void ComputeGranularEnergy::init() {
   require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
-void ComputeGranEnergy::compute_vector() {
+void ComputeGranularEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   work_out();
   tally_.update(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
 
-void ComputeGranEnergy::begin_run() {
+void ComputeGranularEnergy::begin_run() {
   work_out();
   tally_.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
 
-void ComputeGranEnergy::end_run() {
+void ComputeGranularEnergy::end_run() {
   work_out();
   tally_.end_run(vector);
 }
 
 /// All entries but what is missing.
-void ComputeGranEnergy::work_out() {
+void ComputeGranularEnergy::work_out() {
   particles_.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
-  const MobileParticles mobile(lmp);
+  const IntegratedParticles mobile(lmp);
   const GravityOfFixes gravity(modify);
   for (int i = 0; i < atom->nlocal; i++) {
     const int mask = atom->mask[i];
@@ -84,7 +84,7 @@ void ComputeGranEnergy::work_out() {
 }
 
 /// Kinetic and stored energy.
-double ComputeGranEnergy::compute_scalar() {
+double ComputeGranularEnergy::compute_scalar() {
   if (invoked_vector != update->ntimestep) compute_vector();
   invoked_scalar = update->ntimestep;
   return scalar = stored(vector);

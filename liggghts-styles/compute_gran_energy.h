@@ -11,11 +11,11 @@ namespace Cohesion {
 
 /// compute ID all gran/energy: the energy tally at the time level.
 /// Doc: docs/liggghts-styles/compute_gran_energy.md
-class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute,
-                          public LAMMPS_NS::EnergyTallyCompute {
+class ComputeGranularEnergy : public LAMMPS_NS::engine_api::StyleCompute,
+                              public LAMMPS_NS::EnergyTallyCompute {
  public:
-  ComputeGranEnergy(LAMMPS_NS::LAMMPS* engine, int count, char** words);
-  ~ComputeGranEnergy() override;
+  ComputeGranularEnergy(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  ~ComputeGranularEnergy() override;
   void pre_delete(bool) override;
 
   void init() override;

@@ -69,7 +69,7 @@ void ExactContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, C
   types_ = types;
   cache_.clear();
   cache_.resize((types + 1) * (types + 1));
-  mobile_ = MobileParticles(lmp_);
+  mobile_ = IntegratedParticles(lmp_);
   // A fix that is made while fixes are set up, as walls are, is called in the next run only.
   accelerations_ =
       wall_ ? find_hidden_fix<FixAccelerations>(lmp_) : &hidden_fix<FixAccelerations>(lmp_);
@@ -120,8 +120,8 @@ void ExactContacts::make_solver(CachedContact& k, const ContactModels::SurfacesC
   const double reduced_mass = 1.0 / (inverse(k.mass_i) + inverse(k.mass_j));
   const double dt = lmp_->update->dt;
   guarded(lmp_, who_, [&] {
-    const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
-                                      reduced_mass, 0.0,     d.is_wall};
+    const NormalModelProbe::ProbedContact pair{
+        d.itype, d.jtype, d.radi, d.is_wall ? d.radi : d.radj, reduced_mass, 0.0, d.is_wall};
     const cohesion::contact::NormalLaw normal =
         contact_law_(normal_->law(pair), d.itype, d.jtype, d.radi, k.rj);
     k.solver = make_solver_(normal, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
@@ -140,7 +140,7 @@ void ExactContacts::make_solver(CachedContact& k, const ContactModels::SurfacesC
     const auto springs = normal_->springs(pair);
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
-        reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
+        reduced_mass / (1.0 + 1.0 / IntegratedParticles::inertia_factor(lmp_->domain->dimension));
     k.tangential = cohesion::contact_solver::discrete_constants(
         springs.tangential_stiffness, springs.tangential_damping, tangential_mass, dt);
   });

@@ -165,7 +165,7 @@ class ExactContacts {
   MakeSolver make_solver_ = nullptr;
   ContactRange range_;
   FixAccelerations* accelerations_ = nullptr;
-  MobileParticles mobile_;
+  IntegratedParticles mobile_;
   std::vector<CachedContact> cache_;  // the last of each two types
   const CachedContact* last_contact_ = nullptr;
   double time_apart_ = 0.0;  // how much of the step before the last contact was none

@@ -88,7 +88,7 @@ void FixContactAdvice::advise_if_due(bool setup) {
 }
 
 void FixContactAdvice::setup_pre_force(int) {
-  held_ = MobileParticles(lmp);
+  held_ = IntegratedParticles(lmp);
   const auto is_exact = [](const std::weak_ptr<ContactAdvice>& asked) {
     const auto advice = asked.lock();
     return advice && advice->is_exact();
@@ -122,7 +122,7 @@ void FixContactAdvice::warn_of_spins() {
     if (const auto advice = asked.lock())
       for (int type = 1; type <= atom->ntypes; type++)
         has_friction[type] = has_friction[type] || advice->has_friction(type);
-  const MobileParticles mobile(lmp);
+  const IntegratedParticles mobile(lmp);
   if (!warned_of_unturned_)
     warned_of_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, mobile, has_friction);
   if (!warned_of_held_)

@@ -57,10 +57,10 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   void warn_of_unmoved();
   void warn_of_unlike_walls();
 
-  RunWatch changes_;
+  LiggghtsWatch changes_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
-  std::optional<MobileParticles> held_;  // as the run began
+  std::optional<IntegratedParticles> held_;  // as the run began
   bool warned_of_unturned_ = false, warned_of_held_ = false, warned_of_partly_held_ = false;
   bool warned_of_unmoved_ = false;
   std::set<std::string> warned_of_walls_;  // what was said of them

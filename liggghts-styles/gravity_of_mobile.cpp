@@ -6,7 +6,7 @@
 std::vector<std::pair<int, cohesion::Vector3>> LAMMPS_NS::engine_api::gravity_of_mobile(
     LAMMPS* lmp, int groupbit) {
   const LIGGGHTS::Cohesion::GravityOfFixes gravity(lmp->modify);
-  const LIGGGHTS::Cohesion::MobileParticles mobile(lmp);
+  const LIGGGHTS::Cohesion::IntegratedParticles mobile(lmp);
   std::vector<std::pair<int, cohesion::Vector3>> found;
   for (int i = 0; i < lmp->atom->nlocal; i++) {
     const int mask = lmp->atom->mask[i];

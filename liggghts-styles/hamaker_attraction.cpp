@@ -2,15 +2,14 @@
 #include "hamaker_attraction.h"
 
 #include <mpi.h>
-// The engine's header of properties wants mpi.h before it.
+
 #include <cmath>
 #include <vector>
 
 #include "common/message.h"
 #include "contact_solver/turning.h"
-#include "global_properties.h"
 #include "hamaker/range_of_validity.h"
-#include "property_registry.h"
+#include "property_readers.h"
 #include "smallest_radii.h"
 #include "word_settings.h"
 
@@ -19,30 +18,17 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion model hamaker";
+constexpr const char* model_name = "cohesion model hamaker";
 constexpr const char* constant_property = "hamakerConstant";
 constexpr const char* surface_property = "hamakerSurfaceCutoff";
 constexpr const char* outer_property = "hamakerOuterCutoff";
 
-MatrixProperty* make_constant(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createPerTypePairProperty(registry, constant_property, caller);
-}
-ScalarProperty* make_surface_cutoff(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createScalarProperty(registry, surface_property, caller);
-}
-ScalarProperty* make_outer_cutoff(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createScalarProperty(registry, outer_property, caller);
-}
-
 }  // namespace
 
 void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& normal) {
-  registry.registerProperty(constant_property, &make_constant);
-  registry.registerProperty(surface_property, &make_surface_cutoff);
-  registry.registerProperty(outer_property, &make_outer_cutoff);
-  double** constant = registry.getMatrixProperty(constant_property, asked_for_by)->data;
-  const double surface = registry.getScalarProperty(surface_property, asked_for_by)->data;
-  outer_cutoff_ = registry.getScalarProperty(outer_property, asked_for_by)->data;
+  double** constant = type_pair_property<constant_property>(registry, model_name);
+  const double surface = scalar_property<surface_property>(registry, model_name);
+  outer_cutoff_ = scalar_property<outer_property>(registry, model_name);
 
   materials_.connect(registry, normal);
   const auto given = [&](int i, int j) {
@@ -58,24 +44,15 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        const cohesion::hamaker::Parameters real{constant[i][j], surface, outer_cutoff_};
+        const cohesion::hamaker::HamakerParameters real{constant[i][j], surface, outer_cutoff_};
         is_active_ = is_active_ || real.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(real);
         if (std::isfinite(radii[i]) && (is_wall_ || std::isfinite(radii[j])))
           cohesion::hamaker::require_far_below_radius(cohesion::hamaker::forms.front(), real,
                                                       geometry(is_wall_, radii[i], radii[j]));
-        return Law(scaled(real, i, j));
+        return Law(materials_.scaled(real, i, j));
       },
       given);
-}
-
-cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker::Parameters& real,
-                                                        int itype, int jtype) const {
-  const double stiffness = materials_.stiffness(itype, jtype);
-  const cohesion::advice::Material material = materials_.of(itype, jtype);
-  const auto used = cohesion::advice::for_stiffness(stiffness, material, real);
-  materials_.tell(itype, jtype, cohesion::advice::scaling_note(stiffness, material, real, used));
-  return used;
 }
 
 void HamakerAttraction::require_turns_as_touching() const {

@@ -17,11 +17,11 @@
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
-#include "material_of_types.h"
 #include "normal_model_probe.h"
 #include "settings.h"
 #include "sphere.h"
-#include "table_of_types.h"
+#include "type_materials.h"
+#include "type_matrix.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -87,7 +87,7 @@ class HamakerAttraction : public CohesionDefaults {
   }
 
  private:
-  using Law = cohesion::hamaker::Law<cohesion::hamaker::SmallGap>;
+  using Law = cohesion::hamaker::HamakerLaw<cohesion::hamaker::SmallGap>;
 
   /// Any particles of these types.
   bool attracts(int itype, int jtype) const {
@@ -96,15 +96,13 @@ class HamakerAttraction : public CohesionDefaults {
   static cohesion::PairGeometry geometry(bool is_wall, double ri, double rj) {
     return is_wall ? cohesion::sphere_and_plane(ri) : cohesion::two_spheres(ri, rj);
   }
-  cohesion::hamaker::Parameters scaled(const cohesion::hamaker::Parameters&, int itype,
-                                       int jtype) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool is_wall_;
   std::vector<double> smallest_radii_;  // by type
-  TableOfTypes<Law> laws_;
-  TableOfTypes<double> constants_;  // as given
-  MaterialOfTypes materials_;
+  TypeMatrix<Law> laws_;
+  TypeMatrix<double> constants_;  // as given
+  TypeMaterials materials_;
   double outer_cutoff_ = 0.0;
   bool is_active_ = false;
 };

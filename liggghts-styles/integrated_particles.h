@@ -15,9 +15,9 @@ namespace Cohesion {
 
 /// Which particles a force can move: those that a fix integrates, unless fix freeze holds them, fix
 /// setforce, lineforce or planeforce sets their whole force, or fix move or nve/noforce leads them.
-class MobileParticles {
+class IntegratedParticles {
  public:
-  explicit MobileParticles(const LAMMPS_NS::LAMMPS* lmp) : held_(lmp), any_held_(held_.any()) {
+  explicit IntegratedParticles(const LAMMPS_NS::LAMMPS* lmp) : held_(lmp), any_held_(held_.any()) {
     const LAMMPS_NS::Modify* const modify = lmp->modify;
     for (int k = 0; k < modify->nfix; k++) {
       const LAMMPS_NS::Fix* const fix = modify->fix[k];

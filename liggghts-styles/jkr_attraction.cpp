@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "jkr_attraction.h"
 
-#include <mpi.h>
-// The engine's header of properties wants mpi.h before it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,8 +11,7 @@
 #include "common/message.h"
 #include "common/plausible_sizes.h"
 #include "contact/contact_parameters.h"
-#include "global_properties.h"
-#include "property_registry.h"
+#include "property_readers.h"
 #include "sphere.h"
 
 namespace LIGGGHTS {
@@ -22,12 +19,8 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion model jkr";
+constexpr const char* model_name = "cohesion model jkr";
 constexpr const char* energy_property = "surfaceEnergy";
-
-MatrixProperty* make_energy(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createPerTypePairProperty(registry, energy_property, caller);
-}
 
 /// rj infinite: beside a wall.
 double reduced_radius(double ri, double rj) {
@@ -49,8 +42,7 @@ void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& 
                     "cohesion model jkr: needs 'model hertz', whose elasticity and restitution its "
                     "contact has; model ",
                     normal.name(), " was given");
-  registry.registerProperty(energy_property, &make_energy);
-  double** energy = registry.getMatrixProperty(energy_property, asked_for_by)->data;
+  double** energy = type_pair_property<energy_property>(registry, model_name);
   const double largest = registry.max_radius();
   longest_neck_ = 0.0;
   materials_.connect(registry, normal);
@@ -76,11 +68,7 @@ void JkrAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& 
 
 double JkrAttraction::scaled(double real, int itype, int jtype) const {
   if (real == 0.0) return 0.0;
-  const double modulus = materials_.stiffness(itype, jtype);
-  const cohesion::advice::Material material = materials_.of(itype, jtype);
-  const double used = cohesion::advice::for_stiffness(modulus, material, real);
-  materials_.tell(itype, jtype, cohesion::advice::scaling_note(modulus, material, real, used));
-  return used;
+  return materials_.scaled(real, itype, jtype);
 }
 
 ContactRange JkrAttraction::range() const {

@@ -11,9 +11,9 @@
 #include "contact_solver/jkr_solver.h"
 #include "encounter.h"
 #include "lammps.h"
-#include "material_of_types.h"
 #include "normal_model_probe.h"
-#include "table_of_types.h"
+#include "type_materials.h"
+#include "type_matrix.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -72,9 +72,9 @@ class JkrAttraction : public CohesionDefaults {
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool is_wall_;
-  MaterialOfTypes materials_;
-  TableOfTypes<double> works_of_adhesion_;  // scaled, if wished
-  TableOfTypes<double> energies_;           // as given
+  TypeMaterials materials_;
+  TypeMatrix<double> works_of_adhesion_;  // scaled, if wished
+  TypeMatrix<double> energies_;           // as given
   double longest_neck_ = 0.0;
 };
 

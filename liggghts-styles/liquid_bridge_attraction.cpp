@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liquid_bridge_attraction.h"
 
-#include <mpi.h>
-// The engine's header of properties wants mpi.h before it.
 #include <algorithm>
 
 #include "atom.h"
@@ -11,10 +9,9 @@
 #include "contact_models.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
-#include "global_properties.h"
 #include "liquid_bridge/range_of_validity.h"
 #include "mesh_contact.h"
-#include "property_registry.h"
+#include "property_readers.h"
 #include "sampled_contact/sampled_bridge.h"
 #include "smallest_radii.h"
 #include "update.h"
@@ -24,20 +21,12 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion model liquid_bridge";
+constexpr const char* model_name = "cohesion model liquid_bridge";
 constexpr const char* force_property = "bridgeForce";
 constexpr const char* gap_property = "bridgeRuptureGap";
 constexpr const char* tension_property = "bridgeSurfaceTension";
 constexpr const char* angle_property = "bridgeContactAngle";
 constexpr const char* volume_property = "bridgeVolume";
-
-template <const char* const& property>
-double** values(PropertyRegistry& registry) {
-  registry.registerProperty(property, [](PropertyRegistry& from, const char* caller, bool) {
-    return MODEL_PARAMS::createPerTypePairProperty(from, property, caller);
-  });
-  return registry.getMatrixProperty(property, asked_for_by)->data;
-}
 
 /// Without this flag the engine forgets the contact when it makes a new list.
 void remember(const ContactModels::SurfacesCloseData& d, bool something) {
@@ -69,12 +58,12 @@ void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalMod
 }
 
 void LiquidBridgeAttraction::fill(PropertyRegistry& registry) {
-  double** force = values<force_property>(registry);
-  double** gap = values<gap_property>(registry);
+  double** force = type_pair_property<force_property>(registry, model_name);
+  double** gap = type_pair_property<gap_property>(registry, model_name);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        const cohesion::liquid_bridge::Parameters law{force[i][j], gap[i][j]};
+        const cohesion::liquid_bridge::LiquidBridgeParameters law{force[i][j], gap[i][j]};
         require_valid(law);
         return added(law, i, j);
       },
@@ -84,9 +73,9 @@ void LiquidBridgeAttraction::fill(PropertyRegistry& registry) {
 }
 
 void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
-  double** tension = values<tension_property>(registry);
-  double** angle = values<angle_property>(registry);
-  double** volume = values<volume_property>(registry);
+  double** tension = type_pair_property<tension_property>(registry, model_name);
+  double** angle = type_pair_property<angle_property>(registry, model_name);
+  double** volume = type_pair_property<volume_property>(registry, model_name);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
@@ -99,8 +88,8 @@ void LiquidBridgeAttraction::fill_with_liquid(PropertyRegistry& registry) {
       });
 }
 
-cohesion::liquid_bridge::Parameters LiquidBridgeAttraction::added(
-    const cohesion::liquid_bridge::Parameters& law, int itype, int jtype) {
+cohesion::liquid_bridge::LiquidBridgeParameters LiquidBridgeAttraction::added(
+    const cohesion::liquid_bridge::LiquidBridgeParameters& law, int itype, int jtype) {
   if (!law.attracts()) return law;
   require_short(law, itype, jtype);
   is_active_ = true;
@@ -109,8 +98,8 @@ cohesion::liquid_bridge::Parameters LiquidBridgeAttraction::added(
 }
 
 /// The type of a wall may have no particles.
-void LiquidBridgeAttraction::require_short(const cohesion::liquid_bridge::Parameters& law,
-                                           int itype, int jtype) {
+void LiquidBridgeAttraction::require_short(
+    const cohesion::liquid_bridge::LiquidBridgeParameters& law, int itype, int jtype) {
   const double ri = smallest_radii_[itype], rj = smallest_radii_[jtype];
   if (is_wall_ ? !std::isfinite(ri) : !std::isfinite(std::max(ri, rj))) return;
   const double radius = is_wall_ ? ri : std::min(ri, rj);

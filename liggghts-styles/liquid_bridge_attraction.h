@@ -14,7 +14,7 @@
 #include "lammps.h"
 #include "liquid_bridge/parameters.h"
 #include "normal_model_probe.h"
-#include "table_of_types.h"
+#include "type_matrix.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -71,16 +71,17 @@ class LiquidBridgeAttraction : public CohesionDefaults {
   bool was_bridged(const Encounter& encounter) const;
   void fill(PropertyRegistry& registry);
   void fill_with_liquid(PropertyRegistry& registry);
-  cohesion::liquid_bridge::Parameters added(const cohesion::liquid_bridge::Parameters& law,
-                                            int itype, int jtype);
-  void require_short(const cohesion::liquid_bridge::Parameters& law, int itype, int jtype);
+  cohesion::liquid_bridge::LiquidBridgeParameters added(
+      const cohesion::liquid_bridge::LiquidBridgeParameters& law, int itype, int jtype);
+  void require_short(const cohesion::liquid_bridge::LiquidBridgeParameters& law, int itype,
+                     int jtype);
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool is_wall_;
   std::vector<double> smallest_radii_;  // by type
   std::set<std::string> warned_;
   int offset_;  // of what is remembered in the history of a contact
-  TableOfTypes<cohesion::liquid_bridge::Parameters> laws_;
+  TypeMatrix<cohesion::liquid_bridge::LiquidBridgeParameters> laws_;
   double widest_gap_ = 0.0;
   bool is_active_ = false;
   bool is_liquid_ = false;  // keyword capillary

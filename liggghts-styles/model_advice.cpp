@@ -74,9 +74,9 @@ std::string name_of_wall(const FixWallGran& wall) {
   return std::string("fix ") + wall.id + " wall/gran";
 }
 
-void RunOfEngine::scan_particles(LAMMPS* lmp, advice::RunConditions& now) {
+void LiggghtsRun::scan_particles(LAMMPS* lmp, advice::RunConditions& now) {
   const Atom* const atom = lmp->atom;
-  const MobileParticles mobile(lmp);
+  const IntegratedParticles mobile(lmp);
   std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
   count_templates(lmp->modify, mine);
   for (int i = 0; i < atom->nlocal; i++)
@@ -85,12 +85,12 @@ void RunOfEngine::scan_particles(LAMMPS* lmp, advice::RunConditions& now) {
   reduce_particles(lmp, mine, fastest_of(atom, lmp->domain, atom->nlocal), now);
 }
 
-bool RunOfEngine::may_crowd(LAMMPS* lmp) {
+bool LiggghtsRun::may_crowd(LAMMPS* lmp) {
   const Pair* const pair = lmp->force->pair;
   return inserts(lmp->modify) || has_several_neighbours(lmp, pair ? pair->list : nullptr);
 }
 
-double RunOfEngine::gravity(LAMMPS* lmp) { return GravityOfFixes(lmp->modify).largest(); }
+double LiggghtsRun::gravity(LAMMPS* lmp) { return GravityOfFixes(lmp->modify).largest(); }
 
 ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
                              const NormalModelProbe& normal, Adhesion adhesion,
@@ -165,13 +165,13 @@ advice::StickingRules ContactAdvice::sticking_rules(const advice::RunConditions&
 
 void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
                                 const advice::RunNumbers& run) const {
-  const NormalModelProbe::Pair pair{itype,
-                                    jtype,
-                                    c.i.radius,
-                                    c.j.radius,
-                                    c.reduced_mass(),
-                                    advice::approach_speed(run, c),
-                                    wall_ != nullptr};
+  const NormalModelProbe::ProbedContact pair{itype,
+                                             jtype,
+                                             c.i.radius,
+                                             c.j.radius,
+                                             c.reduced_mass(),
+                                             advice::approach_speed(run, c),
+                                             wall_ != nullptr};
   c.springs = normal_.springs(pair);
   // Told where the impact goes: not every dashpot of the engine changes with the overlap as
   // power_law_spring.h has it.

@@ -22,12 +22,12 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// What the time-step check asks of a run of LIGGGHTS. Particles of templates count as there.
-struct RunOfEngine {
+struct LiggghtsRun {
   static void scan_particles(LAMMPS_NS::LAMMPS*, cohesion::advice::RunConditions& now);
   static bool may_crowd(LAMMPS_NS::LAMMPS*);
   static double gravity(LAMMPS_NS::LAMMPS*);
 };
-using RunWatch = LAMMPS_NS::ContactWatch<RunOfEngine>;
+using LiggghtsWatch = LAMMPS_NS::ContactWatch<LiggghtsRun>;
 
 /// As messages call it.
 std::string name_of_wall(const LAMMPS_NS::FixWallGran& wall);

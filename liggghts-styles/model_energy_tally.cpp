@@ -140,7 +140,7 @@ void ModelEnergyTally::end_set_up(bool starts, bool known) {
 template <class MakePassage>
 void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts) {
   const Atom* const atom = lmp_->atom;
-  const MobileParticles mobile(lmp_);
+  const IntegratedParticles mobile(lmp_);
   const GravityOfFixes gravity(lmp_->modify);
   const double half = 0.5 * lmp_->update->dt;
   const double factor = mobile.inertia_factor(lmp_->domain->dimension);

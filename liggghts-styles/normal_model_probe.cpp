@@ -38,27 +38,27 @@ std::unique_ptr<NormalModelBase> make(LAMMPS* lmp, IContactHistorySetup* history
   return std::unique_ptr<NormalModelBase>(new NormalModel<model>(lmp, history, base));
 }
 
-struct Known {
+struct SupportedModel {
   const char* name;
   Maker maker;
 };
 /// The models of model-lists/style_normal_model.h, in which all must stand.
-constexpr Known known_models[] = {{"hooke", &make<HOOKE>},
-                                  {"hooke/stiffness", &make<HOOKE_STIFFNESS>},
-                                  {"hertz", &make<HERTZ>},
-                                  {"hertz/stiffness", &make<HERTZ_STIFFNESS>}};
+constexpr SupportedModel supported_models[] = {{"hooke", &make<HOOKE>},
+                                               {"hooke/stiffness", &make<HOOKE_STIFFNESS>},
+                                               {"hertz", &make<HERTZ>},
+                                               {"hertz/stiffness", &make<HERTZ_STIFFNESS>}};
 
 /// Over the radius: small against what contacts have, large against rounding.
-constexpr double asked_overlap = 1e-4;
+constexpr double probe_overlap = 1e-4;
 
 }  // namespace
 
 NormalModelProbe::NormalModelProbe(LAMMPS* lmp, const std::function<bool(const char*)>& has)
     : quiet_(new Quiet(lmp)) {
-  for (const Known& known : known_models) {
-    if (!has(known.name)) continue;
-    name_ = known.name;
-    model_ = known.maker(lmp, quiet_.get(), quiet_.get());
+  for (const SupportedModel& supported : supported_models) {
+    if (!has(supported.name)) continue;
+    name_ = supported.name;
+    model_ = supported.maker(lmp, quiet_.get(), quiet_.get());
   }
   if (!model_)
     LAMMPS_NS::stop(lmp, FLERR,
@@ -79,27 +79,31 @@ void NormalModelProbe::connect(PropertyRegistry& registry) {
 }
 
 std::string_view NormalModelProbe::material_keyword() const {
-  return is_of_types() ? "material_stiffness" : is_of_moduli() ? "material_modulus" : "";
+  return has_pair_stiffness()    ? "material_stiffness"
+         : has_elastic_modulus() ? "material_modulus"
+                                 : "";
 }
 
 std::string_view NormalModelProbe::material_words() const {
-  return is_of_types()    ? "'material_stiffness on' with fix property/global materialStiffness"
-         : is_of_moduli() ? "'material_modulus on' with fix property/global materialYoungsModulus"
-                          : "";
+  return has_pair_stiffness() ? "'material_stiffness on' with fix property/global materialStiffness"
+         : has_elastic_modulus()
+             ? "'material_modulus on' with fix property/global materialYoungsModulus"
+             : "";
 }
 
 /// Of particles of radius 1: neither number depends on their size.
 double NormalModelProbe::stiffness(int itype, int jtype, bool is_wall) const {
-  const Pair pair{itype, jtype, 1.0, 1.0, 1.0, 0.0, is_wall};
-  if (is_of_types()) return springs(pair).stiffness;
-  if (!is_of_moduli()) return 0.0;
+  const ProbedContact pair{itype, jtype, 1.0, 1.0, 1.0, 0.0, is_wall};
+  if (has_pair_stiffness()) return springs(pair).stiffness;
+  if (!has_elastic_modulus()) return 0.0;
   return springs(pair).hertz(pair.reduced_mass).reduced_modulus(is_wall ? 1.0 : 0.5);
 }
 
 double NormalModelProbe::exponent() const { return model_->stressStrainExponent(); }
 
 /// What the model makes of a contact.
-SurfacesIntersectData NormalModelProbe::asked(const Pair& pair, double overlap) const {
+SurfacesIntersectData NormalModelProbe::contact_data(const ProbedContact& pair,
+                                                     double overlap) const {
   SurfacesIntersectData contact;
   contact.is_wall = pair.is_wall;
   contact.itype = pair.itype;
@@ -108,7 +112,7 @@ SurfacesIntersectData NormalModelProbe::asked(const Pair& pair, double overlap) 
   contact.radj = pair.radius_j;
   contact.radsum = pair.radius_i + (pair.is_wall ? 0.0 : pair.radius_j);
   contact.meff = contact.mi = contact.mj = pair.reduced_mass;
-  contact.deltan = overlap > 0.0 ? overlap : asked_overlap * pair.radius_i;
+  contact.deltan = overlap > 0.0 ? overlap : probe_overlap * pair.radius_i;
   contact.r = contact.radsum - contact.deltan;
   contact.vn = -pair.speed;
   contact.en[0] = 1.0;
@@ -120,8 +124,9 @@ SurfacesIntersectData NormalModelProbe::asked(const Pair& pair, double overlap) 
   return contact;
 }
 
-cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, double overlap) const {
-  const SurfacesIntersectData contact = asked(pair, overlap);
+cohesion::advice::ContactSprings NormalModelProbe::springs(const ProbedContact& pair,
+                                                           double overlap) const {
+  const SurfacesIntersectData contact = contact_data(pair, overlap);
   cohesion::advice::ContactSprings springs{contact.kn, contact.gamman};
   springs.tangential_stiffness = springs.rolling_stiffness = contact.kt;
   springs.tangential_damping = contact.gammat;
@@ -129,12 +134,13 @@ cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, dou
   springs.overlap = contact.deltan;
   // At 16 times the overlap a dashpot of the square root is 4 times as strong, one of the fourth
   // root twice.
-  if (springs.exponent == 1.5 && asked(pair, 16.0 * contact.deltan).gamman > 3.0 * contact.gamman)
+  if (springs.exponent == 1.5 &&
+      contact_data(pair, 16.0 * contact.deltan).gamman > 3.0 * contact.gamman)
     springs.power = cohesion::contact::HertzSpringDashpot::Damping::square_root;
   return springs;
 }
 
-cohesion::contact::NormalLaw NormalModelProbe::law(const Pair& pair) const {
+cohesion::contact::NormalLaw NormalModelProbe::law(const ProbedContact& pair) const {
   using cohesion::contact::LinearSpringDashpot;
   const auto s = springs(pair);
   if (s.exponent == 1.0) return LinearSpringDashpot(s.stiffness, s.damping, pair.reduced_mass);
@@ -151,12 +157,12 @@ bool NormalModelProbe::dashpot_varies(int itype, int jtype) const {
 }
 
 bool NormalModelProbe::limits_force(int itype, int jtype) const {
-  Pair parting{itype, jtype, 1.0, 1.0, 1.0, 0.0, false};
+  ProbedContact parting{itype, jtype, 1.0, 1.0, 1.0, 0.0, false};
   const double overlap = 1e-9;
   const auto springs_of = springs(parting, overlap);
   if (springs_of.damping == 0.0) return false;
   parting.speed = -2.0 * springs_of.stiffness * overlap / springs_of.damping;
-  return asked(parting, overlap).Fn >= 0.0;
+  return contact_data(parting, overlap).Fn >= 0.0;
 }
 
 }  // namespace Cohesion

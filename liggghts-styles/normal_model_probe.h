@@ -31,7 +31,7 @@ using ContactLaw = std::function<cohesion::contact::NormalLaw(
 class NormalModelProbe {
  public:
   /// A contact to ask about.
-  struct Pair {
+  struct ProbedContact {
     int itype, jtype;
     double radius_i, radius_j;  ///< [length]; radius_j of no meaning beside a wall
     double reduced_mass;        ///< [mass]
@@ -47,10 +47,10 @@ class NormalModelProbe {
   void connect(PropertyRegistry& registry);
 
   const std::string& name() const { return name_; }
-  /// Whether spring and dashpot follow from the atom types alone.
-  bool is_of_types() const { return name_ == "hooke/stiffness"; }
-  /// Whether they follow from Young's moduli and Poisson's ratios.
-  bool is_of_moduli() const { return name_ == "hertz"; }
+  /// Whether the script specifies the stiffness of each pair of types.
+  bool has_pair_stiffness() const { return name_ == "hooke/stiffness"; }
+  /// Whether the script specifies Young's moduli and Poisson's ratios.
+  bool has_elastic_modulus() const { return name_ == "hertz"; }
 
   /// The keyword by which a script gives the material of such contacts, and with its property;
   /// empty: it cannot.
@@ -69,14 +69,15 @@ class NormalModelProbe {
 
   /// The model as the solver takes it (contact/normal_law.h). Throws InvalidParameter for one that
   /// is neither linear nor Hertz's.
-  cohesion::contact::NormalLaw law(const Pair& pair) const;
+  cohesion::contact::NormalLaw law(const ProbedContact& pair) const;
 
   /// At `overlap` [length], 0: a small one; and how the force changes with it.
-  cohesion::advice::ContactSprings springs(const Pair& pair, double overlap = 0.0) const;
+  cohesion::advice::ContactSprings springs(const ProbedContact& pair, double overlap = 0.0) const;
 
  private:
   class Quiet;
-  ContactModels::SurfacesIntersectData asked(const Pair& pair, double overlap) const;
+  ContactModels::SurfacesIntersectData contact_data(const ProbedContact& pair,
+                                                    double overlap) const;
 
   std::unique_ptr<Quiet> quiet_;
   std::unique_ptr<ContactModels::NormalModelBase> model_;

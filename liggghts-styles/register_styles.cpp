@@ -5,8 +5,6 @@
 // after `clear`. It does so through the dynamic linker, so the definition here, linked or preloaded
 // in front of libliggghts, comes first. It does the engine's own work, then adds the styles.
 
-#include "register_styles.h"
-
 #include <dlfcn.h>
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
@@ -62,17 +60,17 @@ Compute* make_compute(LAMMPS* lmp, int, int narg, char** arg) {
 
 /// Once for an engine, which `clear` makes anew, by rank 0 alone: the others have a screen, too,
 /// but what they write there comes when they end, into a line of rank 0.
-void say_version(LAMMPS* lmp) {
-  static const LAMMPS* told = nullptr;
-  if (told == lmp) return;
-  told = lmp;
+void print_version(LAMMPS* lmp) {
+  static const LAMMPS* reported = nullptr;
+  if (reported == lmp) return;
+  reported = lmp;
   engine_api::tell(lmp, "Cohesion " COHESION_VERSION "\n");
 }
 
-}  // namespace
-
+/// Registers the fixes and computes of this package with an engine that has been created or
+/// cleared.
 void register_styles(LAMMPS* lmp) {
-  say_version(lmp);
+  print_version(lmp);
   name_unknown_models();
   Fixes& fixes = *fixes_of(*lmp->modify);
   fixes["agglomerates"] = &make_fix<FixAgglomerates>;
@@ -83,7 +81,7 @@ void register_styles(LAMMPS* lmp) {
   fixes[FixEnergyTally::STYLE] = &make_fix<FixEnergyTally>;
   fixes[FixAccelerations::STYLE] = &make_fix<FixAccelerations>;
   Computes& computes = *computes_of(*lmp->modify);
-  computes["gran/energy"] = &make_compute<ComputeGranEnergy>;
+  computes["gran/energy"] = &make_compute<ComputeGranularEnergy>;
   computes["shear/profile"] = &make_compute<ComputeShearProfile>;
 
   // LIGGGHTS leaves the periods of a tilted box at zero: what leaves it would be lost. They are 1
@@ -94,6 +92,7 @@ void register_styles(LAMMPS* lmp) {
   }
 }
 
+}  // namespace
 }  // namespace Cohesion
 }  // namespace LIGGGHTS
 

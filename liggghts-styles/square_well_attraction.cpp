@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <mpi.h>
-// The engine's header of properties wants mpi.h before it.
 #include <algorithm>
 
 #include "atom.h"
@@ -9,11 +7,10 @@
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
-#include "global_properties.h"
 #include "hidden_fix.h"
 #include "mesh_contact.h"
 #include "pair_gran.h"
-#include "property_registry.h"
+#include "property_readers.h"
 #include "sampled_contact/sampled_well.h"
 #include "square_well_attraction.h"
 #include "vector3.h"
@@ -23,7 +20,7 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion model square_well";
+constexpr const char* model_name = "cohesion model square_well";
 constexpr const char* depth_property = "wellDepth";
 constexpr const char* ratio_property = "wellRatio";
 
@@ -31,13 +28,6 @@ constexpr const char* too_far =
     "cohesion model square_well: a pair leaves its well by more than 0.01 of the radii in one "
     "step, "
     "beyond which it is not seen, and may keep its D: use a smaller time step";
-
-MatrixProperty* make_depth(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createPerTypePairProperty(registry, depth_property, caller);
-}
-VectorProperty* make_ratio(PropertyRegistry& registry, const char* caller, bool) {
-  return MODEL_PARAMS::createPerTypeProperty(registry, ratio_property, caller);
-}
 
 }  // namespace
 
@@ -51,10 +41,8 @@ SquareWellAttraction::SquareWellAttraction(LAMMPS* lmp, IContactHistorySetup* ow
 }
 
 void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModelProbe&) {
-  registry.registerProperty(depth_property, &make_depth);
-  registry.registerProperty(ratio_property, &make_ratio);
-  double** depth = registry.getMatrixProperty(depth_property, asked_for_by)->data;
-  const double* ratio = registry.getVectorProperty(ratio_property, asked_for_by)->data;
+  double** depth = type_pair_property<depth_property>(registry, model_name);
+  const double* ratio = type_property<ratio_property>(registry, model_name);
   const int types = registry.max_type();
   // A restart file may remember wells, and an impulse that is under way.
   if (!connected_) is_active_ = remembers(lmp_, pair_, wall_, offset_ + STATE);
@@ -62,7 +50,7 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
   wells_.fill(
       lmp_, MODEL, types,
       [&](int i, int j) {
-        const cohesion::square_well::Parameters well{depth[i][j], ratio[i], ratio[j]};
+        const cohesion::square_well::SquareWellParameters well{depth[i][j], ratio[i], ratio[j]};
         is_active_ = is_active_ || well.depth > 0.0;
         cohesion::square_well::require_valid(well);
         return Well{well, cohesion::square_well::edge_bounds(well, wall_)};
@@ -99,7 +87,7 @@ double SquareWellAttraction::force(const Encounter& e) {
 
 void SquareWellAttraction::step(const Encounter& e, double* history) {
   const auto& d = e.data;
-  const cohesion::square_well::Parameters& well = wells_.of(d.itype, d.jtype).well;
+  const cohesion::square_well::SquareWellParameters& well = wells_.of(d.itype, d.jtype).well;
   const double width = cohesion::square_well::width(well, d.radi, d.is_wall ? 0.0 : d.radj);
   bool within = was_inside(e, history, width);
   if (d.shearupdate) {

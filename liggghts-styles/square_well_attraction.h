@@ -15,7 +15,7 @@
 #include "normal_model_probe.h"
 #include "square_well/parameters.h"
 #include "square_well/sight.h"
-#include "table_of_types.h"
+#include "type_matrix.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -90,7 +90,7 @@ class SquareWellAttraction : public CohesionDefaults {
   static bool is_inside(double state) { return state == inside || state == pushed_out; }
 
   struct Well {
-    cohesion::square_well::Parameters well;
+    cohesion::square_well::SquareWellParameters well;
     cohesion::square_well::EdgeBounds bounds;
   };
 
@@ -127,7 +127,7 @@ class SquareWellAttraction : public CohesionDefaults {
   LAMMPS_NS::PairGran* pair_;     // null for walls
   LAMMPS_NS::FixWallGran* wall_;  // null for pairs
   int offset_;                    // of what is remembered in the history of a contact
-  TableOfTypes<Well> wells_;
+  TypeMatrix<Well> wells_;
   double largest_ratio_ = 1.0;
   bool is_active_ = false;
   bool connected_ = false;

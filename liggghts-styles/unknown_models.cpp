@@ -28,7 +28,7 @@ using Names = std::vector<std::string>;
 
 /// A kind of model: its word in scripts, and those that cohesion models of this package are
 /// combined with (model-lists/).
-struct Kind {
+struct ModelKind {
   std::string word;
   Names combined;
 };
@@ -56,11 +56,11 @@ const Names surface_models{
 #undef ROLLING_MODEL
 #undef SURFACE_MODEL
 
-const Kind kinds[] = {{"model", normal_models},
-                      {"tangential", tangential_models},
-                      {"cohesion", {}},
-                      {"rolling_friction", rolling_models},
-                      {"surface", surface_models}};
+const ModelKind kinds[] = {{"model", normal_models},
+                           {"tangential", tangential_models},
+                           {"cohesion", {}},
+                           {"rolling_friction", rolling_models},
+                           {"surface", surface_models}};
 
 std::string list_of(const Names& names) {
   std::string all;
@@ -70,11 +70,11 @@ std::string list_of(const Names& names) {
 
 /// Kind and name of each model at the beginning of the words behind `pair_style gran`, until
 /// another word comes.
-std::vector<std::pair<const Kind*, std::string>> models_in(int narg, char** arg) {
-  std::vector<std::pair<const Kind*, std::string>> models;
+std::vector<std::pair<const ModelKind*, std::string>> models_in(int narg, char** arg) {
+  std::vector<std::pair<const ModelKind*, std::string>> models;
   for (int k = 0; k + 1 < narg; k += 2) {
-    const Kind* found = nullptr;
-    for (const Kind& kind : kinds)
+    const ModelKind* found = nullptr;
+    for (const ModelKind& kind : kinds)
       if (kind.word == arg[k]) found = &kind;
     if (!found) break;
     models.emplace_back(found, arg[k + 1]);
@@ -83,7 +83,7 @@ std::vector<std::pair<const Kind*, std::string>> models_in(int narg, char** arg)
 }
 
 /// By the engine's reader of models itself: its tables take a name that they are asked for.
-bool engine_has(const Kind& kind, const std::string& name, Custom_contact_models custom) {
+bool engine_has(const ModelKind& kind, const std::string& name, Custom_contact_models custom) {
   std::string words[] = {"model", "hooke", kind.word, name};
   char* arg[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data()};
   const bool is_normal = kind.word == words[0];
@@ -93,7 +93,7 @@ bool engine_has(const Kind& kind, const std::string& name, Custom_contact_models
 }
 
 /// The name is no model of its kind; empty: all are, or the engine has more to say.
-std::string unknown(const std::vector<std::pair<const Kind*, std::string>>& models,
+std::string unknown(const std::vector<std::pair<const ModelKind*, std::string>>& models,
                     Custom_contact_models custom) {
   for (const auto& [kind, name] : models) {
     if (engine_has(*kind, name, custom)) continue;
@@ -108,7 +108,7 @@ std::string unknown(const std::vector<std::pair<const Kind*, std::string>>& mode
 
 /// A cohesion model of this package stands beside a model that it is not combined with; empty: none
 /// does.
-std::string not_combined(const std::vector<std::pair<const Kind*, std::string>>& models) {
+std::string not_combined(const std::vector<std::pair<const ModelKind*, std::string>>& models) {
   std::string cohesion;
   for (const auto& [kind, name] : models)
     if (kind->word == "cohesion" && is_cohesion_model(name)) cohesion = name;
@@ -123,7 +123,7 @@ std::string not_combined(const std::vector<std::pair<const Kind*, std::string>>&
 }
 
 /// The cohesion model that the words name; empty: they name none.
-std::string cohesion_in(const std::vector<std::pair<const Kind*, std::string>>& models) {
+std::string cohesion_in(const std::vector<std::pair<const ModelKind*, std::string>>& models) {
   for (const auto& [kind, name] : models)
     if (kind->word == "cohesion") return name;
   return "";

@@ -10,7 +10,7 @@
 namespace cohesion::energy_tally {
 
 /// Entries of the vector, in its order, all [energy].
-enum Entry {
+enum EnergyEntry {
   KINETIC,
   ROTATIONAL,
   SPRING,
@@ -30,14 +30,14 @@ enum Entry {
 namespace detail {
 
 /// What stays or is stored, and what is lost.
-inline constexpr Entry stored[] = {KINETIC,  ROTATIONAL, SPRING,        TANGENTIAL_SPRING,
-                                   ADHESION, GRAVITY,    ROLLING_SPRING};
-inline constexpr Entry lost[] = {NORMAL_DAMPING, TANGENTIAL_DAMPING, FRICTION, ROLLING};
+inline constexpr EnergyEntry stored[] = {KINETIC,  ROTATIONAL, SPRING,        TANGENTIAL_SPRING,
+                                         ADHESION, GRAVITY,    ROLLING_SPRING};
+inline constexpr EnergyEntry lost[] = {NORMAL_DAMPING, TANGENTIAL_DAMPING, FRICTION, ROLLING};
 
 template <std::size_t N>
-double sum(const double* entries, const Entry (&which)[N]) {
+double sum(const double* entries, const EnergyEntry (&which)[N]) {
   return std::accumulate(which, which + N, 0.0,
-                         [entries](double all, Entry entry) { return all + entries[entry]; });
+                         [entries](double all, EnergyEntry entry) { return all + entries[entry]; });
 }
 
 }  // namespace detail

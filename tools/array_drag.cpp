@@ -10,14 +10,13 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 #include <string>
 #include <vector>
 
 #include "array_drag_report.h"
 #include "array_drag_request.h"
 #include "cohesion_version.h"
-#include "given_once.h"
+#include "command_line.h"
 #include "lattice_boltzmann/arrays.h"
 #include "lattice_boltzmann/random_array.h"
 #include "lattice_boltzmann/steady_drag.h"
@@ -66,20 +65,20 @@ Array array_of(const ArrayDragRequest& r, int n) {
 /// force drives there takes long to have its speed. Slow flow may have any viscosity: a large one
 /// is steady sooner, but for dense arrays, in whose gaps populations that are no flow fade slowly
 /// then.
-Course course_of(const ArrayDragRequest& r, const Array& array, const Vector& direction) {
+FlowSettings settings_of(const ArrayDragRequest& r, const Array& array, const Vector& direction) {
   const bool inertia = r.reynolds > 0.0, dense = solid_fraction(array) > 0.15;
-  Course course{inertia ? r.speed * sauter_mean(array) / r.reynolds
-                : dense ? 0.3
-                        : 1.0,
-                {},
-                inertia ? r.speed
-                : dense ? 0.0
-                        : 1e-7,
-                r.tolerance,
-                r.most_steps,
-                r.average};
-  for (int k = 0; k < 3; k++) course.body_force[k] = 1e-9 * direction[k] / size_of(direction);
-  return course;
+  FlowSettings settings{inertia ? r.speed * sauter_mean(array) / r.reynolds
+                        : dense ? 0.3
+                                : 1.0,
+                        {},
+                        inertia ? r.speed
+                        : dense ? 0.0
+                                : 1e-7,
+                        r.tolerance,
+                        r.most_steps,
+                        r.average};
+  for (int k = 0; k < 3; k++) settings.body_force[k] = 1e-9 * direction[k] / size_of(direction);
+  return settings;
 }
 
 #ifdef COHESION_WITH_THREADS
@@ -107,7 +106,7 @@ class Progress {
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
-  Told of(int flow) {
+  ProgressReport of(int flow) {
     return [this, flow](long steps, double left) {
       if (seconds() < shown_ + 5.0) return;
       shown_ = seconds();
@@ -139,9 +138,9 @@ void run(const ArrayDragRequest& r) {
   for (int n = 0; n < r.arrays; n++) {
     const Array array = array_of(r, n);
     for (int d = 0; d < each; d++) {
-      const Course course = course_of(r, array, directions[d]);
-      DrivenFlow flow(array, course, on_threads);
-      report.add(n, array, course, steady_drag(flow, course, progress.of(n * each + d)));
+      const FlowSettings settings = settings_of(r, array, directions[d]);
+      DrivenFlow flow(array, settings, on_threads);
+      report.add(n, array, settings, steady_drag(flow, settings, progress.of(n * each + d)));
       if (!r.slice.empty() && n == r.arrays - 1 && d == 0) report.write_slice(flow, array);
     }
   }
@@ -161,17 +160,11 @@ int main(int argc, char** argv) {
   tools::add_output_options(app, request);
   try {
     app.parse(argc, argv);
-    tools::require_given_once(app, argc, argv);
+    tools::reject_repeated_options(app, argc, argv);
     if (request.kind.empty() && request.file.empty())
       throw CLI::RequiredError("--array with --phi, or --spheres");
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }
-  try {
-    run(request);
-  } catch (const std::exception& error) {
-    std::cerr << "array-drag: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return tools::exit_code_of("array-drag", [&] { run(request); });
 }

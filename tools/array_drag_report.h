@@ -61,7 +61,8 @@ class ArrayDragReport {
   }
 
   /// A flow through the array with the number `n`.
-  void add(int n, const lattice_boltzmann::Array& array, const lattice_boltzmann::Course& course,
+  void add(int n, const lattice_boltzmann::Array& array,
+           const lattice_boltzmann::FlowSettings& settings,
            const lattice_boltzmann::SteadyDrag& found) {
     using namespace lattice_boltzmann;
     solid_ = solid_fraction(array);
@@ -71,14 +72,14 @@ class ArrayDragReport {
     steps_ += found.steps;
     balance_ = std::max(balance_, found.balance);
     if (found.swing > 0.0) swings_.add(found.swing);
-    reynolds_.add(reynolds(found, array, course));
-    mean_.add(mean_drag(found, array, course));
+    reynolds_.add(reynolds(found, array, settings));
+    mean_.add(mean_drag(found, array, settings));
     std::map<double, Sample> sizes;
     for (std::size_t s = 0; s < array.spheres.size(); s++) {
-      sizes[2.0 * array.spheres[s].radius].add(drag_on(found, array, course, s));
+      sizes[2.0 * array.spheres[s].radius].add(drag_on(found, array, settings, s));
       write_sphere(
           n, array.spheres[s], found.forces[s],
-          6.0 * pi * course.viscosity * array.spheres[s].radius * size_of(found.superficial));
+          6.0 * pi * settings.viscosity * array.spheres[s].radius * size_of(found.superficial));
     }
     spheres_ = static_cast<double>(array.spheres.size());
     for (const auto& [diameter, drags] : sizes) {
@@ -88,7 +89,7 @@ class ArrayDragReport {
     add_moments(array);
     // Resistance by the force that drives and the velocity it leads to, for --tensor.
     rows_.push_back({found.body_force, found.superficial});
-    drag_unit_ = (1.0 - solid_) * nodes_ / spheres_ / (3.0 * pi * course.viscosity * sauter_);
+    drag_unit_ = (1.0 - solid_) * nodes_ / spheres_ / (3.0 * pi * settings.viscosity * sauter_);
   }
 
   /// Rows x y speed/U in the plane z = half the box; spheres have 0.

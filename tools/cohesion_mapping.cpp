@@ -13,10 +13,10 @@
 
 #include "advice/law_mapping.h"
 #include "cohesion_version.h"
+#include "command_line.h"
 #include "contact/contact_parameters.h"
 #include "elastic_numbers.h"
 #include "former_names.h"
-#include "given_once.h"
 #include "hamaker/roughness.h"
 #include "square_well/parameters.h"
 
@@ -25,7 +25,7 @@ namespace {
 using namespace cohesion;
 
 /// What the command line says.
-struct Request {
+struct MappingRequest {
   std::vector<double> radii, densities, masses;
   bool wall = false;
   double stiffness = 0.0, restitution = 0.0, damping = 0.0;
@@ -34,10 +34,10 @@ struct Request {
   std::string form = "small_gap", hamaker_scheme = "exact", well_scheme = "exact";
   double step = 0.0;
   std::vector<double> hamaker_constants, depths;
-  bool damping_given = false, csv = false;
+  bool has_damping = false, csv = false;
 };
 
-struct Row {
+struct MappingRow {
   double hamaker_constant, depth;
   double force;  ///< F_ad of the Hamaker attraction
   advice::SampledEscape hamaker, well;
@@ -46,7 +46,7 @@ struct Row {
 /// Of two particles the second value, or the only one.
 double second(const std::vector<double>& values) { return values.back(); }
 
-double mass(const Request& r, double radius, bool of_second) {
+double mass(const MappingRequest& r, double radius, bool of_second) {
   const auto& given = r.masses.empty() ? r.densities : r.masses;
   const double value = of_second ? second(given) : given.front();
   require_positive(r.masses.empty() ? "density" : "mass", value);
@@ -54,7 +54,7 @@ double mass(const Request& r, double radius, bool of_second) {
 }
 
 /// Throws InvalidParameter for a second particle where there is none.
-void require_one_at_wall(const Request& r) {
+void require_one_at_wall(const MappingRequest& r) {
   for (const auto* values : {&r.radii, &r.densities, &r.masses})
     require(!r.wall || values->size() < 2, "second particle",
             values->empty() ? 0.0 : values->back(),
@@ -62,33 +62,33 @@ void require_one_at_wall(const Request& r) {
 }
 
 /// Throws InvalidParameter for what would have no effect.
-void require_used(const Request& r) {
+void require_used(const MappingRequest& r) {
   require_one_at_wall(r);
   require(r.step == 0.0 || r.hamaker_scheme == "sampled" || r.well_scheme == "sampled",
           "time step (--step)", r.step,
           "scheme exact is the same at any step: leave it out, or choose sampled for a law");
 }
 
-PairGeometry geometry_of(const Request& r) {
+PairGeometry geometry_of(const MappingRequest& r) {
   const double ri = r.radii.front(), rj = second(r.radii);
   require_positive("radius", ri);
   require_positive("radius", rj);
   return r.wall ? sphere_and_plane(ri) : two_spheres(ri, rj);
 }
 
-double reduced_mass_of(const Request& r) {
+double reduced_mass_of(const MappingRequest& r) {
   const double mi = mass(r, r.radii.front(), false);
   return r.wall ? mi : reduced_mass(mi, mass(r, second(r.radii), true));
 }
 
-advice::HeadOnPair pair_of(const Request& r) {
+advice::HeadOnPair pair_of(const MappingRequest& r) {
   const double ri = r.radii.front(), rj = second(r.radii);
   const PairGeometry geometry = geometry_of(r);
   const double mu = reduced_mass_of(r);
   contact::ContactParameters parameters;
   parameters.stiffness = r.stiffness;
   parameters.restitution = r.restitution;
-  if (r.damping_given) {
+  if (r.has_damping) {
     require_non_negative("damping", r.damping);
     parameters.damping = r.damping;
   }
@@ -96,37 +96,37 @@ advice::HeadOnPair pair_of(const Request& r) {
   return {contact::normal_contact(parameters, mu), geometry, r.wall ? ri : ri + rj};
 }
 
-const hamaker::Form* form_of(const Request& r) {
+const hamaker::Form* form_of(const MappingRequest& r) {
   for (const hamaker::Form& form : hamaker::forms)
     if (form.name == r.form) return &form;
   return nullptr;  // not reached: the names are checked with the command line
 }
 
-hamaker::Asperity asperity_of(const Request& r) {
+hamaker::Asperity asperity_of(const MappingRequest& r) {
   if (r.roughness.empty()) return {r.asperity, 0.0};
   return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
 }
 
-advice::HamakerKind kind_of(const Request& r) {
+advice::HamakerKind kind_of(const MappingRequest& r) {
   const hamaker::Asperity asperity = asperity_of(r);
   return {form_of(r), r.cutoffs.at(0), r.cutoffs.at(1), asperity.radius, asperity.height};
 }
 
 class Mapping {
  public:
-  explicit Mapping(const Request& r)
+  explicit Mapping(const MappingRequest& r)
       : pair_(pair_of(r)),
         kind_(kind_of(r)),
         hamaker_step_(step(r.hamaker_scheme, r)),
         well_step_(step(r.well_scheme, r)) {
-    const square_well::Parameters well = square_well::well(0.0, r.ratio);
+    const square_well::SquareWellParameters well = square_well::well(0.0, r.ratio);
     square_well::require_valid(well);
     width_ = square_well::width(well, r.radii.front(), r.wall ? 0.0 : second(r.radii));
   }
 
   const advice::HeadOnPair& pair() const { return pair_; }
 
-  Row to_well(double hamaker_constant) const {
+  MappingRow to_well(double hamaker_constant) const {
     require_positive("Hamaker constant A", hamaker_constant);
     const auto hamaker = advice::hamaker_escape(pair_, kind_.law(hamaker_constant), hamaker_step_);
     const double depth = advice::depth_of(pair_, hamaker.mean, width_, well_step_);
@@ -134,7 +134,7 @@ class Mapping {
                advice::well_escape(pair_, depth, width_, well_step_));
   }
 
-  Row to_hamaker(double depth) const {
+  MappingRow to_hamaker(double depth) const {
     require_positive("depth D", depth);
     const auto well = advice::well_escape(pair_, depth, width_, well_step_);
     const double a = advice::hamaker_constant_of(pair_, well.mean, kind_, hamaker_step_);
@@ -142,14 +142,14 @@ class Mapping {
   }
 
  private:
-  static std::optional<double> step(const std::string& scheme, const Request& r) {
+  static std::optional<double> step(const std::string& scheme, const MappingRequest& r) {
     if (scheme == "exact") return std::nullopt;
     require_positive("time step of scheme sampled (--step)", r.step);
     return r.step;
   }
 
-  Row row(double hamaker_constant, double depth, const advice::SampledEscape& hamaker,
-          const advice::SampledEscape& well) const {
+  MappingRow row(double hamaker_constant, double depth, const advice::SampledEscape& hamaker,
+                 const advice::SampledEscape& well) const {
     const double force = advice::adhesion_of(pair_, kind_.law(hamaker_constant)).force;
     return {hamaker_constant, depth, force, hamaker, well};
   }
@@ -160,18 +160,19 @@ class Mapping {
   double width_;
 };
 
-void print_csv(const std::vector<Row>& rows) {
+void print_csv(const std::vector<MappingRow>& rows) {
   std::puts(
       "hamaker_constant,depth,adhesion_force,hamaker_mean,hamaker_slowest_parted,"
       "hamaker_fastest_stuck,well_mean,well_slowest_parted,well_fastest_stuck");
-  for (const Row& r : rows)
+  for (const MappingRow& r : rows)
     std::printf("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", r.hamaker_constant,
                 r.depth, r.force, r.hamaker.mean, r.hamaker.slowest_parted, r.hamaker.fastest_stuck,
                 r.well.mean, r.well.slowest_parted, r.well.fastest_stuck);
 }
 
 /// What a LAMMPS script says for both laws of a row.
-void print_coefficients(const Request& request, const advice::HeadOnPair& pair, const Row& r) {
+void print_coefficients(const MappingRequest& request, const advice::HeadOnPair& pair,
+                        const MappingRow& r) {
   char contact[80], hamaker[160], rough[80], well[80];
   std::snprintf(contact, sizeof contact, "stiffness %.9g damping %.9g", pair.spring.stiffness(),
                 pair.spring.damping());
@@ -195,8 +196,8 @@ void print_coefficients(const Request& request, const advice::HeadOnPair& pair, 
   print("square_well", well, "scheme " + request.well_scheme);
 }
 
-void print_text(const Request& request, const advice::HeadOnPair& pair,
-                const std::vector<Row>& rows) {
+void print_text(const MappingRequest& request, const advice::HeadOnPair& pair,
+                const std::vector<MappingRow>& rows) {
   const auto& spring = pair.spring;
   std::printf("restitution %.9g, contact time %.9g, reduced mass %.9g\n", spring.restitution(),
               spring.contact_time(), spring.reduced_mass());
@@ -213,11 +214,11 @@ void print_text(const Request& request, const advice::HeadOnPair& pair,
                     e.fastest_stuck);
     return std::string(text);
   };
-  for (const Row& r : rows)
+  for (const MappingRow& r : rows)
     std::printf("%-12.6g %-12.6g %-12.6g %-39s %s\n", r.hamaker_constant, r.depth, r.force,
                 escape(r.hamaker, request.hamaker_scheme).c_str(),
                 escape(r.well, request.well_scheme).c_str());
-  for (const Row& r : rows) {
+  for (const MappingRow& r : rows) {
     std::puts("");
     print_coefficients(request, pair, r);
   }
@@ -231,7 +232,7 @@ std::string current_scheme(const std::string& name) {
   });
 }
 
-void add_particles(CLI::App& app, Request& r) {
+void add_particles(CLI::App& app, MappingRequest& r) {
   auto* radius = app.add_option("--radius", r.radii, "radius, of two unlike spheres both [length]");
   radius->required()->expected(1, 2);
   app.add_flag("--wall", r.wall, "the partner is a plane wall");
@@ -243,7 +244,7 @@ void add_particles(CLI::App& app, Request& r) {
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");
 }
 
-void add_options(CLI::App& app, Request& r) {
+void add_options(CLI::App& app, MappingRequest& r) {
   const auto schemes = CLI::IsMember({"exact", "sampled"});
   std::vector<std::string> forms;
   for (const auto& form : hamaker::forms) forms.emplace_back(form.name);
@@ -253,7 +254,7 @@ void add_options(CLI::App& app, Request& r) {
   auto* loss = app.add_option_group("loss");
   loss->add_option("--restitution", r.restitution, "e of a contact without cohesion");
   loss->add_option("--damping", r.damping, "dashpot eta in place of it [mass/time]")
-      ->each([&r](const std::string&) { r.damping_given = true; });
+      ->each([&r](const std::string&) { r.has_damping = true; });
   loss->require_option(1);
   app.add_option("--cutoff", r.cutoffs, "surface and outer cut-off H_cut H_out [length]")
       ->required()
@@ -280,10 +281,22 @@ void add_options(CLI::App& app, Request& r) {
   app.add_option("--step", r.step, "time step of scheme sampled [time]");
 }
 
+void print_mapping(const MappingRequest& request) {
+  require_used(request);
+  const Mapping mapping(request);
+  std::vector<MappingRow> rows;
+  for (const double a : request.hamaker_constants) rows.push_back(mapping.to_well(a));
+  for (const double d : request.depths) rows.push_back(mapping.to_hamaker(d));
+  if (request.csv)
+    print_csv(rows);
+  else
+    print_text(request, mapping.pair(), rows);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  Request request;
+  MappingRequest request;
   CLI::App app{
       "Square wells and Hamaker attractions of equal head-on escape velocity, and the numbers of\n"
       "Hertz's and JKR's contact.\n"
@@ -304,30 +317,19 @@ int main(int argc, char** argv) {
   tools::add_options(*of_contact, elastic);
   try {
     app.parse(argc, argv);
-    for (const CLI::App* way : app.get_subcommands()) tools::require_given_once(*way, argc, argv);
+    for (const CLI::App* way : app.get_subcommands())
+      tools::reject_repeated_options(*way, argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }
 
-  try {
+  return tools::exit_code_of("cohesion-mapping", [&] {
     if (of_contact->parsed()) {
       require_one_at_wall(request);
       tools::ElasticNumbers(elastic, geometry_of(request), reduced_mass_of(request))
           .print(request.csv);
-      return 0;
+    } else {
+      print_mapping(request);
     }
-    require_used(request);
-    const Mapping mapping(request);
-    std::vector<Row> rows;
-    for (const double a : request.hamaker_constants) rows.push_back(mapping.to_well(a));
-    for (const double d : request.depths) rows.push_back(mapping.to_hamaker(d));
-    if (request.csv)
-      print_csv(rows);
-    else
-      print_text(request, mapping.pair(), rows);
-  } catch (const InvalidParameter& error) {
-    std::cerr << "cohesion-mapping: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -11,9 +11,9 @@
 
 #include "bed/geldart.h"
 #include "cohesion_version.h"
+#include "command_line.h"
 #include "drag/drag_closure.h"
 #include "engine_cost.h"
-#include "given_once.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
 #include "powder_case.h"
@@ -30,9 +30,9 @@ using namespace cohesion;
 using namespace cohesion::powder;
 using tools::Lines;
 using tools::Powder;
-using tools::Request;
+using tools::PowderRequest;
 
-void print_powder(const Lines& print, const Request& r, const Powder& p) {
+void print_powder(const Lines& print, const PowderRequest& r, const Powder& p) {
   print.heading("Powder and gas");
   print({"gas_density", "density of the gas", r.gas.density, "kg/m3"});
   print({"gas_viscosity", "viscosity of the gas", r.gas.viscosity, "Pa s"});
@@ -70,7 +70,7 @@ void print_adhesion(const Lines& print, const Powder& p) {
 }
 
 /// Of the well in place of the attraction.
-void print_well(const Lines& print, const Request& r, const Powder& p) {
+void print_well(const Lines& print, const PowderRequest& r, const Powder& p) {
   const double smallest = p.sizes.smallest(), depth = p.well_depth(smallest);
   const double width = square_well::width(square_well::well(depth, well_ratio_of(r)),
                                           0.5 * smallest, 0.5 * smallest);
@@ -93,7 +93,7 @@ void print_well(const Lines& print, const Request& r, const Powder& p) {
 }
 
 /// Of Hertz's and JKR's contact.
-void print_elastic(const Lines& print, const Request& r, const Powder& p) {
+void print_elastic(const Lines& print, const PowderRequest& r, const Powder& p) {
   const ElasticContacts& c = *p.elastic;
   const double tabor = p.tabor(), d = p.sizes.smallest();
   if (tabor > 0.0) print({"tabor", "Tabor's parameter of the material", tabor, "1"});
@@ -116,7 +116,7 @@ void print_elastic(const Lines& print, const Request& r, const Powder& p) {
               << "--surface-energy\n";
 }
 
-void print_contact(const Lines& print, const Request& r, const Powder& p) {
+void print_contact(const Lines& print, const PowderRequest& r, const Powder& p) {
   const Springs& s = p.springs;
   print.heading("Contact of two of the smallest grains");
   print({"impact_speed", "speed of impacts", p.speed, "m/s"});
@@ -135,11 +135,13 @@ void print_contact(const Lines& print, const Request& r, const Powder& p) {
   if (well_ratio_of(r) > 0.0) print_well(print, r, p);
 }
 
-tools::PowderVessel::Section section_of(const Request& r) { return {r.width, r.depth, r.column}; }
+tools::PowderVessel::Section section_of(const PowderRequest& r) {
+  return {r.width, r.depth, r.column};
+}
 
-Bed bed_of(const Request& r) { return {section_of(r).area(), r.height, r.void_fraction}; }
+Bed bed_of(const PowderRequest& r) { return {section_of(r).area(), r.height, r.void_fraction}; }
 
-void print_plan(const Lines& print, const Request& r, const Powder& p) {
+void print_plan(const Lines& print, const PowderRequest& r, const Powder& p) {
   print.heading("Run, " + r.engine);
   const bool coarse = p.parcels.ratio() > 1.0;
   if (coarse) {
@@ -173,7 +175,7 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
 }
 
 /// Lines that define the contacts, for the engine of the run.
-std::vector<std::string> script_lines(const Request& r, const Powder& p) {
+std::vector<std::string> script_lines(const PowderRequest& r, const Powder& p) {
   const tools::PowderContacts contacts = p.contacts();
   if (r.engine == "lammps") {
     std::vector<std::string> lines = contacts.lammps_pairs();
@@ -187,7 +189,7 @@ std::vector<std::string> script_lines(const Request& r, const Powder& p) {
   return lines;
 }
 
-void print_script(const Lines& print, const Request& r, const Powder& p) {
+void print_script(const Lines& print, const PowderRequest& r, const Powder& p) {
   print.heading("In a script, " + r.engine);
   for (const std::string& line : script_lines(r, p)) print.note(line);
   if (r.engine == "lammps" && well_ratio_of(r) > 0.0)
@@ -199,7 +201,7 @@ void print_script(const Lines& print, const Request& r, const Powder& p) {
 }
 
 /// What a second of the bed takes, from a short run of LAMMPS.
-void print_cost(const Lines& print, const Request& r, const Powder& p) {
+void print_cost(const Lines& print, const PowderRequest& r, const Powder& p) {
   const tools::PowderContacts contacts = p.contacts();
   const std::string lines = "pair_style " + contacts.lammps_style() + " scheme exact\n" +
                             contacts.lammps_for_all() + "\n";
@@ -221,7 +223,7 @@ void print_cost(const Lines& print, const Request& r, const Powder& p) {
 }
 
 /// The vessel of `computed` that holds no more than so many, or the smallest.
-tools::PowderVessel vessel_of(const Request& r, const Powder& p, const Sizes& computed,
+tools::PowderVessel vessel_of(const PowderRequest& r, const Powder& p, const PowderSizes& computed,
                               double most) {
   return {computed, section_of(r), r.height, r.void_fraction,
           p.cell,   most,          r.seed,   std::max(1.0, well_ratio_of(r))};
@@ -229,7 +231,7 @@ tools::PowderVessel vessel_of(const Request& r, const Powder& p, const Sizes& co
 
 /// Says which number would do where the smallest vessel holds more: the bed of more grains is
 /// higher, too.
-void require_enough_grains(const Request& r, const Powder& p, const Sizes& computed) {
+void require_enough_grains(const PowderRequest& r, const Powder& p, const PowderSizes& computed) {
   int enough = vessel_of(r, p, computed, r.grains).grains();
   if (enough <= r.grains) return;
   for (int n = 0; (n = vessel_of(r, p, computed, enough).grains()) > enough;) enough = n;
@@ -240,8 +242,8 @@ void require_enough_grains(const Request& r, const Powder& p, const Sizes& compu
               std::to_string(enough) + ": give that or more, or a lower bed");
 }
 
-void write_case(const Request& r, const Powder& p) {
-  const Sizes computed = p.computed();
+void write_case(const PowderRequest& r, const Powder& p) {
+  const PowderSizes computed = p.computed();
   require_enough_grains(r, p, computed);
   const tools::PowderVessel vessel = vessel_of(r, p, computed, r.grains);
   const tools::PowderCase written{r.engine == "liggghts",
@@ -264,10 +266,25 @@ void write_case(const Request& r, const Powder& p) {
       vessel.grains(), number_of_grains(bed_of(r), p.sizes), p.velocity, r.folder.c_str());
 }
 
+void print_all(PowderRequest& request) {
+  tools::require_si(request);
+  tools::require_together(request);
+  request.gas = tools::gas_of(request);
+  const Powder powder(request);
+  const Lines print(request.csv);
+  print_powder(print, request, powder);
+  print_adhesion(print, powder);
+  print_contact(print, request, powder);
+  print_plan(print, request, powder);
+  print_script(print, request, powder);
+  if (request.measure) print_cost(print, request, powder);
+  if (!request.folder.empty()) write_case(request, powder);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  Request request;
+  PowderRequest request;
   CLI::App app{
       "From the data of a powder to the parameters of a run. SI units.\n"
       "Manual: docs/tools/cohesion-powder.md"};
@@ -275,27 +292,10 @@ int main(int argc, char** argv) {
   tools::add_options(app, request);
   try {
     app.parse(argc, argv);
-    tools::require_given_once(app, argc, argv);
+    tools::reject_repeated_options(app, argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }
 
-  try {
-    tools::require_si(request);
-    tools::require_together(request);
-    request.gas = tools::gas_of(request);
-    const Powder powder(request);
-    const Lines print(request.csv);
-    print_powder(print, request, powder);
-    print_adhesion(print, powder);
-    print_contact(print, request, powder);
-    print_plan(print, request, powder);
-    print_script(print, request, powder);
-    if (request.measure) print_cost(print, request, powder);
-    if (!request.folder.empty()) write_case(request, powder);
-  } catch (const std::exception& error) {
-    std::cerr << "cohesion-powder: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return tools::exit_code_of("cohesion-powder", [&] { print_all(request); });
 }

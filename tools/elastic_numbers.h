@@ -121,7 +121,7 @@ class ElasticNumbers {
     if (r.roughness.empty()) return {r.asperity, 0.0};
     return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
   }
-  static hamaker::Parameters hamaker_of(const ElasticRequest& r) {
+  static hamaker::HamakerParameters hamaker_of(const ElasticRequest& r) {
     if (r.hamaker == 0.0) return hamaker::none;
     const hamaker::Asperity asperity = asperity_of(r);
     return {r.hamaker, r.cutoffs.at(0), r.cutoffs.at(1), asperity.radius, asperity.height};
@@ -135,7 +135,7 @@ class ElasticNumbers {
   }
   static contact::Adhesion adhesion_of(const ElasticRequest& r, const PairGeometry& geometry) {
     if (r.hamaker == 0.0) return {};
-    const hamaker::Parameters p = hamaker_of(r);
+    const hamaker::HamakerParameters p = hamaker_of(r);
     const hamaker::AnyLaw law =
         find_by_name(hamaker::forms, "form", r.form).law(p, p.asperity_radius > 0.0);
     return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
@@ -174,7 +174,7 @@ class ElasticNumbers {
   }
 
   const ElasticRequest& request_;
-  hamaker::Parameters hamaker_, soft_hamaker_{};
+  hamaker::HamakerParameters hamaker_, soft_hamaker_{};
   advice::ElasticPair real_;
   std::optional<advice::ElasticPair> soft_;
   PairGeometry geometry_;

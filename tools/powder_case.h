@@ -21,11 +21,11 @@ namespace cohesion::tools {
 /// powder's in constant/powder, grains, coupling, gravity and contacts, in grains.data, and for
 /// LAMMPS in constant/walls. SI units.
 struct PowderCase {
-  bool liggghts;        ///< the engine, or else LAMMPS
-  powder::Sizes sizes;  ///< of the spheres, which may be parcels
-  double parcel;        ///< their diameter over that of grains
+  bool liggghts;              ///< the engine, or else LAMMPS
+  powder::PowderSizes sizes;  ///< of the spheres, which may be parcels
+  double parcel;              ///< their diameter over that of grains
   PowderContacts contacts;
-  powder::Steps steps;
+  powder::TimeSteps steps;
   powder::Gas gas;
   double gravity;
   std::string drag;
@@ -123,7 +123,7 @@ struct PowderCase {
   /// Words of the engines' fix viscous, -gamma v on each type, in which grains sink at `speed`:
   /// those that fall freely through the lattice press their springs more than the run's impacts.
   std::string resistance() const {
-    const auto gamma = [&](const powder::Size& size) {
+    const auto gamma = [&](const powder::PowderSize& size) {
       return contacts.density * sphere_volume(0.5 * size.diameter) * gravity / speed;
     };
     std::ostringstream words;

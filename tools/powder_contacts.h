@@ -29,7 +29,7 @@ struct PowderContacts {
   std::vector<double> diameters;  ///< of atom types 1, 2, ..
   double density;
   double stiffness, restitution, friction;
-  hamaker::Parameters hamaker;
+  hamaker::HamakerParameters hamaker;
   advice::Material material;  ///< that the springs stand for
   double well_ratio = 0.0;    ///< r_out/r of wells in place of the attraction; 0: no wells
   ElasticWords elastic{};     ///< in place of `stiffness` and that of `material`
@@ -108,20 +108,21 @@ struct PowderContacts {
     };
     if (is_elastic()) return liggghts_hertz();
     std::vector<std::string> lines{
-        matrix("kn", [&](const Pair&) { return stiffness; }),
-        matrix("kt", [&](const Pair&) { return tangential * stiffness; }),
-        matrix("gamman_abs", [&](const Pair& p) { return dashpot(p.mass); }),
-        matrix("gammat_abs", [&](const Pair& p) { return 0.5 * dashpot(p.mass); }),
-        matrix("coefficientFriction", [&](const Pair&) { return friction; })};
+        matrix("kn", [&](const TypePair&) { return stiffness; }),
+        matrix("kt", [&](const TypePair&) { return tangential * stiffness; }),
+        matrix("gamman_abs", [&](const TypePair& p) { return dashpot(p.mass); }),
+        matrix("gammat_abs", [&](const TypePair& p) { return 0.5 * dashpot(p.mass); }),
+        matrix("coefficientFriction", [&](const TypePair&) { return friction; })};
     if (hamaker.hamaker_constant == 0.0) return lines;
     if (has_wells()) {
-      lines.push_back(matrix("wellDepth", [&](const Pair& p) { return depth(p); }));
-      lines.push_back(of_types("wellRatio", well_ratio, 1.0));  // a wall's is not used
+      lines.push_back(matrix("wellDepth", [&](const TypePair& p) { return depth(p); }));
+      lines.push_back(type_line("wellRatio", well_ratio, 1.0));  // a wall's is not used
       return lines;
     }
     append_liggghts_attraction(lines);
     if (tells_material())
-      lines.push_back(matrix("materialStiffness", [&](const Pair&) { return material.stiffness; }));
+      lines.push_back(
+          matrix("materialStiffness", [&](const TypePair&) { return material.stiffness; }));
     return lines;
   }
 
@@ -147,7 +148,7 @@ struct PowderContacts {
   static constexpr double tangential = 2.0 / 7.0;  // over K, as gran/hamaker has it
 
   /// Two types, of which the second may be the wall's.
-  struct Pair {
+  struct TypePair {
     PairGeometry geometry;
     double mass;  // reduced
   };
@@ -177,12 +178,12 @@ struct PowderContacts {
                          : text(" material_stiffness %.6g", material.stiffness)) +
            " material_keep " + kept();
   }
-  std::string lammps_well(const Pair& p) const {
+  std::string lammps_well(const TypePair& p) const {
     return lammps_contact() + text(" well %.6g %.12g", depth(p), well_ratio);
   }
 
   /// D of the well that holds the two up to the escape velocity of their material.
-  double depth(const Pair& p) const {
+  double depth(const TypePair& p) const {
     const auto attraction = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
     return powder::well_depth(
         material.stiffness, restitution, p.mass,
@@ -197,36 +198,38 @@ struct PowderContacts {
     if (elastic.young < 5e6) lines.push_back("soft_particles yes");
     if (elastic.young > 1e9) lines.push_back("hard_particles yes");
     const std::vector<std::string> properties{
-        of_types("youngsModulus", elastic.young, elastic.young),
-        of_types("poissonsRatio", elastic.poisson, elastic.poisson),
-        matrix("coefficientRestitution", [&](const Pair&) { return restitution; }),
-        matrix("coefficientFriction", [&](const Pair&) { return friction; })};
+        type_line("youngsModulus", elastic.young, elastic.young),
+        type_line("poissonsRatio", elastic.poisson, elastic.poisson),
+        matrix("coefficientRestitution", [&](const TypePair&) { return restitution; }),
+        matrix("coefficientFriction", [&](const TypePair&) { return friction; })};
     lines.insert(lines.end(), properties.begin(), properties.end());
     if (is_jkr())
-      lines.push_back(matrix("surfaceEnergy", [&](const Pair&) { return elastic.surface_energy; }));
+      lines.push_back(
+          matrix("surfaceEnergy", [&](const TypePair&) { return elastic.surface_energy; }));
     else if (hamaker.hamaker_constant > 0.0)
       append_liggghts_attraction(lines);
     if (tells_material())
-      lines.push_back(of_types("materialYoungsModulus", elastic.of_material, elastic.of_material));
+      lines.push_back(type_line("materialYoungsModulus", elastic.of_material, elastic.of_material));
     return lines;
   }
 
   void append_liggghts_attraction(std::vector<std::string>& lines) const {
-    lines.push_back(matrix("hamakerConstant",
-                           [&](const Pair& p) { return smooth_constant(hamaker, p.geometry); }));
+    lines.push_back(matrix("hamakerConstant", [&](const TypePair& p) {
+      return smooth_constant(hamaker, p.geometry);
+    }));
     lines.push_back(scalar("hamakerSurfaceCutoff", hamaker.surface_cutoff));
     lines.push_back(scalar("hamakerOuterCutoff", hamaker.outer_cutoff));
   }
 
   /// A of smooth surfaces whose pull-off force is that of the attraction.
-  static double smooth_constant(const hamaker::Parameters& hamaker, const PairGeometry& g) {
+  static double smooth_constant(const hamaker::HamakerParameters& hamaker, const PairGeometry& g) {
     if (hamaker.asperity_radius == 0.0) return hamaker.hamaker_constant;
     const double force = std::visit([&](const auto& law) { return law.adhesion_force(g); },
                                     hamaker::forms.front().law(hamaker, true));
     return powder::hamaker_of_pull_off(force, g.reduced_radius, hamaker.surface_cutoff);
   }
 
-  Pair pair(std::size_t i, std::size_t j) const {
+  TypePair pair(std::size_t i, std::size_t j) const {
     const std::size_t wall = diameters.size();
     const double r = 0.5 * diameters[std::min(i, j)], m = density * sphere_volume(r);
     // Of two walls, which have no contact, as of the last size with one.
@@ -247,7 +250,7 @@ struct PowderContacts {
   }
 
   /// A property of each type, and of the walls.
-  std::string of_types(const char* name, double value, double of_wall) const {
+  std::string type_line(const char* name, double value, double of_wall) const {
     std::string line = "fix " + std::string(name) + " all property/global " + name + " peratomtype";
     for (std::size_t i = 0; i < diameters.size(); i++) line += text(" %.12g", value);
     return line + text(" %.12g", of_wall);

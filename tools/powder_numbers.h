@@ -25,18 +25,18 @@ namespace cohesion::tools {
 
 using namespace cohesion::powder;
 
-inline Sizes sizes_of(const Request& r) {
+inline PowderSizes sizes_of(const PowderRequest& r) {
   if (!r.percentiles.empty())
-    return Sizes::of_percentiles(r.percentiles[0], r.percentiles[1], r.percentiles[2]);
+    return PowderSizes::of_percentiles(r.percentiles[0], r.percentiles[1], r.percentiles[2]);
   require(r.shares.empty() || r.shares.size() == r.diameters.size(), "number of mass shares",
           static_cast<double>(r.shares.size()), "give one for each diameter, or none");
-  std::vector<Size> sizes;
+  std::vector<PowderSize> sizes;
   for (std::size_t k = 0; k < r.diameters.size(); k++)
     sizes.push_back({r.diameters[k], r.shares.empty() ? 1.0 : r.shares[k]});
-  return Sizes(sizes);
+  return PowderSizes(sizes);
 }
 
-inline advice::Keep keep_of(const Request& r) {
+inline advice::Keep keep_of(const PowderRequest& r) {
   const auto named = [&](const advice::KeepName& k) { return r.keep == k.name; };
   return std::find_if(advice::keeps.begin(), advice::keeps.end(), named)->keep;
 }
@@ -44,7 +44,7 @@ inline advice::Keep keep_of(const Request& r) {
 /// The numbers of a powder that the lines are made of.
 class Powder {
  public:
-  explicit Powder(const Request& r)
+  explicit Powder(const PowderRequest& r)
       : sizes(sizes_of(r)),
         mean{sizes.sauter(), r.density},
         parcels(r.coarse_graining),
@@ -106,14 +106,14 @@ class Powder {
   }
 
   /// Of the spheres that are computed, each size a type.
-  Sizes computed() const {
-    std::vector<Size> all = sizes.all();
-    for (Size& size : all) size.diameter = parcels.length(size.diameter);
-    return Sizes(all);
+  PowderSizes computed() const {
+    std::vector<PowderSize> all = sizes.all();
+    for (PowderSize& size : all) size.diameter = parcels.length(size.diameter);
+    return PowderSizes(all);
   }
   PowderContacts contacts() const {
     std::vector<double> diameters;
-    for (const Size& size : sizes.all()) diameters.push_back(parcels.length(size.diameter));
+    for (const PowderSize& size : sizes.all()) diameters.push_back(parcels.length(size.diameter));
     return {diameters,
             request_.density,
             parcels.stiffness(springs.used.stiffness),
@@ -149,16 +149,16 @@ class Powder {
                               adhesion_of(sphere_and_plane(0.5 * diameter)));
   }
 
-  Sizes sizes;
+  PowderSizes sizes;
   Grain mean;
   Parcels parcels;
   double fastest_fluidisation = 0.0;  // by the closures
   double speed;                       // of impacts
-  hamaker::Parameters hamaker;
+  hamaker::HamakerParameters hamaker;
   contact::Adhesion adhesion;              // of two of the smallest
   Springs springs{};                       // of the grains, where they are linear
   std::optional<ElasticContacts> elastic;  // of the grains, where they are not
-  Steps steps;                             // of the run
+  TimeSteps steps;                         // of the run
   double cell, velocity;                   // of the run
 
  private:
@@ -166,7 +166,7 @@ class Powder {
   static constexpr double atomic_distance = 2e-10;
 
   Springs springs_under(const Load& load) const {
-    const Request& r = request_;
+    const PowderRequest& r = request_;
     return springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
                       {r.restitution,
                        load,
@@ -179,7 +179,7 @@ class Powder {
   }
 
   ElasticContacts elastic_of(const Load& load) const {
-    const Request& r = request_;
+    const PowderRequest& r = request_;
     contact::ContactParameters contact;
     contact::set_hertz(contact, r.elastic.young, r.elastic.poisson);
     contact.restitution = r.restitution;
@@ -209,7 +209,7 @@ class Powder {
     return request_.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
   }
 
-  const Request& request_;
+  const PowderRequest& request_;
 };
 
 }  // namespace cohesion::tools

@@ -18,7 +18,7 @@
 namespace cohesion::tools {
 
 /// What the command line says, in SI units.
-struct Request {
+struct PowderRequest {
   std::vector<double> diameters, shares, percentiles;
   double density = 0.0;
   powder::Elastic elastic{0.0, 0.3};
@@ -52,7 +52,7 @@ struct Request {
   bool is_elastic() const { return contact != "linear"; }
 };
 
-inline void add_gas_options(CLI::App& app, Request& r) {
+inline void add_gas_options(CLI::App& app, PowderRequest& r) {
   auto* density = app.add_option("--gas-density", r.gas.density, "[kg/m3]")->capture_default_str();
   auto* viscosity =
       app.add_option("--gas-viscosity", r.gas.viscosity, "[Pa s]")->capture_default_str();
@@ -70,7 +70,7 @@ inline void add_gas_options(CLI::App& app, Request& r) {
       ->needs(name);
 }
 
-inline void add_options(CLI::App& app, Request& r) {
+inline void add_options(CLI::App& app, PowderRequest& r) {
   auto* sizes = app.add_option_group("sizes");
   sizes->add_option("--diameter", r.diameters, "diameter, or those of a distribution [m]");
   sizes->add_option("--percentiles", r.percentiles, "d10 d50 d90 by mass, in place of it [m]")
@@ -166,14 +166,14 @@ inline void add_options(CLI::App& app, Request& r) {
 }
 
 /// Throws InvalidParameter as hamaker::asperity_of.
-inline hamaker::Asperity asperity_of(const Request& r) {
+inline hamaker::Asperity asperity_of(const PowderRequest& r) {
   if (r.roughness.empty()) return {r.asperity, 0.0};
   return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
 }
 
 /// The gas given by its density and viscosity, or by its name and state. Throws InvalidParameter as
 /// gas::density_and_viscosity.
-inline powder::Gas gas_of(const Request& r) {
+inline powder::Gas gas_of(const PowderRequest& r) {
   if (r.gas_name.empty()) return r.gas;
   const auto state = gas::density_and_viscosity(find_by_name(gas::named_gases, "gas", r.gas_name),
                                                 r.pressure, r.temperature);
@@ -181,13 +181,13 @@ inline powder::Gas gas_of(const Request& r) {
 }
 
 /// r_out/r of square wells in place of the attraction; 0: no wells.
-inline double well_ratio_of(const Request& r) {
+inline double well_ratio_of(const PowderRequest& r) {
   if (r.law != "square_well") return 0.0;
   return r.well_ratio > 0.0 ? r.well_ratio : powder::usual_well_ratio;
 }
 
 /// The part of require_together() about Hertz's and JKR's contact.
-inline void require_contact(const Request& r) {
+inline void require_contact(const PowderRequest& r) {
   if (!r.is_elastic()) {
     require(r.soft_young == 0.0, "Young's modulus of the run", r.soft_young,
             "is of --contact hertz and jkr: give --stiffness");
@@ -207,7 +207,7 @@ inline void require_contact(const Request& r) {
 }
 
 /// Throws InvalidParameter for what would have no effect, and where what belongs together is not.
-inline void require_together(const Request& r) {
+inline void require_together(const PowderRequest& r) {
   require(r.shares.empty() || r.percentiles.empty(), "mass share",
           r.shares.empty() ? 0.0 : r.shares.front(),
           "percentiles have their own: leave --mass-share out, or give --diameter");

@@ -46,7 +46,7 @@ inline void require_within(const SiRange& range) {
 }
 
 /// Throws InvalidParameter for what can only be meant in other units than the SI's.
-inline void require_si(const Request& r) {
+inline void require_si(const PowderRequest& r) {
   const std::vector<OtherUnit> lengths{{"um", 1e-6}, {"mm", 1e-3}}, small{{"nm", 1e-9}};
   const std::vector<SiRange> ranges{
       {"--diameter", r.diameters, 1e-8, 0.1, "m", lengths},

@@ -33,7 +33,7 @@ class PowderVessel {
   /// the lattice. Where the fewest cells hold more grains than asked for, so does it: see grains().
   /// spread: over the distance of the grains in the lattice, which are out of the reach of others'
   /// wells of this ratio r_out/r then.
-  PowderVessel(const powder::Sizes& sizes, const Section& section, double height,
+  PowderVessel(const powder::PowderSizes& sizes, const Section& section, double height,
                double void_fraction, double cell, double most, unsigned seed, double spread = 1.0)
       : sizes_(&sizes),
         round_(section.is_round()),
@@ -132,7 +132,7 @@ class PowderVessel {
     std::vector<Layer> all;
     int left = grains_;
     for (std::size_t k = 0; k < sizes_->all().size(); k++) {
-      const powder::Size& size = sizes_->all()[k];
+      const powder::PowderSize& size = sizes_->all()[k];
       const int room = static_cast<int>(sites_of(size.diameter).size());
       const bool last = k + 1 == sizes_->all().size();
       int of_size =
@@ -145,7 +145,7 @@ class PowderVessel {
     return all;
   }
 
-  const powder::Sizes* sizes_;
+  const powder::PowderSizes* sizes_;
   bool round_;
   double cell_;
   unsigned seed_;

@@ -11,40 +11,19 @@ message names, in the same unit.
 import re
 
 from cohesion_tests import lammps as engine, measuring_program
-from cohesion_tests.lammps_scenes import cohesive_gas as gas
+from cohesion_tests.lammps_scenes import cohesive_gas as gas, packed_cluster
 from cohesion_tests.progress import Progress
 
 CONTACTS = ((0.9, 0.0), (0.9, 0.3), (0.5, 0.0), (0.5, 0.3), (0.3, 0.0), (0.3, 0.3))
-SCRIPT = """plugin load ${{plugin}}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-lattice fcc {lattice}
-region box block -6 6 -6 6 -6 6
-create_box 1 box
-region ball sphere 0 0 0 2.2
-create_atoms 1 region ball
-set group all diameter {diameter} density {density}
-displace_atoms all random 1e-9 1e-9 1e-9 4711
-neighbor 2e-4 bin
-pair_style gran/hamaker
-pair_coeff * * stiffness {stiffness} restitution {restitution} friction {friction} hamaker 1e-17 cutoff 4e-10 1e-7
-fix move all nve/sphere
-compute motion all ke
-compute spins all erotate/sphere
-thermo_style custom step c_motion c_spins
-timestep {dt}
-run {steps}
-"""
+COEFFICIENTS = "stiffness {} restitution {} friction {} hamaker 1e-17 cutoff 4e-10 1e-7"
 
 
 def cell(folder, restitution, friction, division):
     pull = 1e-17 * gas.DIAMETER / (24 * 4e-10**2)  # F_ad
-    text = SCRIPT.format(lattice=2**0.5 * (gas.DIAMETER - pull / gas.STIFFNESS), diameter=gas.DIAMETER,
-                         density=gas.DENSITY, stiffness=gas.STIFFNESS, restitution=restitution, friction=friction,
-                         dt=gas.CONTACT_TIME / division, steps=round(20 * division))
+    text = packed_cluster.script(lattice=2**0.5 * (gas.DIAMETER - pull / gas.STIFFNESS), box=6, radius=2.2,
+                                 diameter=gas.DIAMETER, density=gas.DENSITY, dt=gas.CONTACT_TIME / division,
+                                 steps=round(20 * division),
+                                 coefficients=COEFFICIENTS.format(gas.STIFFNESS, restitution, friction))
     code, output = engine.run_text(text, folder)
     limit = re.search(r"several contacts unstable, .*reduce it to ([^ ,]+),", output)
     if limit:

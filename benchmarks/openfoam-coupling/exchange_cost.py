@@ -10,13 +10,13 @@ examples/fluidised-bed a thousand particle steps after its start, with those of 
 the column of meshes.py in cubes of 20 mm and in cells of other shapes, with held spheres of 20/3 mm. Each
 takes some half a minute, the bed two."""
 
-import argparse
 import re
 import shutil
 
 import numpy as np
 
 from cohesion_studies.bed import bed_case
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, append, use_script
 from cohesion_tests.coupling.meshes import MESHES, SIZE, plain, tetrahedra
 from kernel_noise import KERNELS, make, places
@@ -77,9 +77,7 @@ def count(case, spheres, steps):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--steps", type=int, default=10, help="gas steps (%(default)s)")
     parser.add_argument("--kernel", nargs="+", choices=KERNELS, default=KERNELS)
     parser.add_argument("--scene", nargs="+", choices=SCENES, default=list(SCENES))

@@ -9,18 +9,16 @@ ranks; and of 1 and 2 ranks, which have a core each, the time. More ranks than c
 messages are the same as on cores of their own, their times say nothing. Ends with 1 when a rank sends more than
 follows from its neighbours alone."""
 
-import argparse
 import sys
 
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import Columns
 from cohesion_tests.coupling.growing_swarm import FORWARD, SPHERES, most_messages, most_ranks, run
 from cohesion_tests.progress import Progress
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32, 64], metavar="N")
     parser.add_argument("--steps", type=int, default=3, metavar="N", help="gas steps (%(default)s)")
     parser.add_argument("--kernel", choices=FORWARD, default="sphereOverlap", help="of the void fraction (%(default)s)")

@@ -13,13 +13,13 @@ and of those that no wall attracts, and how many one does; the share of the exch
 what that says of the agglomerates, in the last step and over all; then the means over the seeds, and of each the
 change of the mean speeds.
 """
-import argparse
 import re
 import time
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, append, use_script
 from cohesion_tests.coupling.fields import numbers
 from cohesion_tests.coupling.free_spheres import BLOCK
@@ -98,9 +98,7 @@ def agglomerates(log):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--seed", type=int, nargs="+", default=[5, 6, 7])
     parser.add_argument("--end", type=float, default=0.06, help="of the runs [s] (%(default)s)")
     args = parser.parse_args()

@@ -18,12 +18,12 @@ Then the bound on paper: `n` rows of cells that are full, at the void fraction 0
 share f, hover when n (F - 1) = f (1 - F_f), F and F_f the force over the weight in both; up to which ratio some f
 does.
 """
-import argparse
 import re
 
 import numpy as np
 from scipy.optimize import brentq
 
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, append, use_script
 from cohesion_tests.coupling.fields import cells, numbers
 from cohesion_tests.coupling.free_spheres import BLOCK
@@ -118,9 +118,7 @@ def largest_ratio(n):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--cell", type=float, nargs="+", default=[3, 2, 1.5])
     parser.add_argument("--smoothing", type=float, nargs="+", default=[0])
     parser.add_argument("--slip", nargs="+", default=["cell"])

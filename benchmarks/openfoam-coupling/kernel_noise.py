@@ -12,12 +12,12 @@ of the spheres above a square of the size of a cell, phi rho_s g h, the scale of
 over v. And the processor time of the exchange per sphere and gas step, of a second run that writes nothing.
 Spheres of the fluidised bed's size and density in air, 30 % of the volume, at 1 m/s."""
 
-import argparse
 import re
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, use_script
 from cohesion_tests.coupling.fields import field
 from cohesion_tests.coupling.free_spheres import periodic
@@ -94,9 +94,7 @@ def microseconds(case, spheres, steps):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--cell", type=float, nargs="+", default=[3], help="size of the cells [diameters]")
     parser.add_argument("--courant", type=float, nargs="+", default=[0.15, 0.0375], metavar="C",
                         help="steps of the gas in units of h/v; that of the bed is 0.15")

@@ -4,8 +4,7 @@
 
     manufactured_table.py BUILD WORK"""
 
-import argparse
-
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import Columns
 from cohesion_tests.coupling.manufactured_solution import in_space, in_time, orders
 
@@ -14,9 +13,7 @@ STEPS = [0.16 / k for k in (4, 8, 16, 32, 64, 128)]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     args = parser.parse_args()
     column = Columns(args.build, args.work)
     rows = in_space(column, MESHES)

@@ -10,7 +10,6 @@ there.
 Moments are drawn from the seed in steps and shares of a step or of a write; where in a step that is, is the
 machine's business. Ends with 1 when more is lost than one interval between writes, or the end is another."""
 
-import argparse
 import os
 import random
 import re
@@ -18,6 +17,7 @@ import sys
 import time
 from pathlib import Path
 
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import Columns, exchange_lines
 from cohesion_tests.coupling.swarm import (END, INTERVAL, STEPS, complete, difference, kill, make_to_kill, state,
                                            steps_begun, undisturbed)
@@ -103,9 +103,7 @@ def continued(case, ranks, reached, reference):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--kills", type=int, default=12, metavar="N")
     parser.add_argument("--ranks", type=int, default=1, metavar="N")
     parser.add_argument("--seed", type=int, default=1, metavar="N")

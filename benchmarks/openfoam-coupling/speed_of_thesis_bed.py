@@ -9,13 +9,13 @@ eighth, and forces sampled once a step.
 Processor time, of the bed at rest, where contacts are most, and blown through at 1.2 m/s, where the thesis's
 schedule begins; settling before that is not counted."""
 
-import argparse
 import os
 import re
 import time
 
 from cohesion_studies.bed import bed_case
 from cohesion_studies.foam_case import environment
+from cohesion_tests import measuring_program
 from cohesion_tests.progress import Progress
 
 SCHEMES = {f"{scheme}, t_c/{part}": {"scheme": scheme, "dt": dt}
@@ -55,9 +55,7 @@ def run(env, folder, parameters, rest, blow):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--rest", type=float, default=0.045, help="seconds at rest (%(default)s)")
     parser.add_argument("--blow", type=float, default=0.3, help="seconds blown through (%(default)s)")
     args = parser.parse_args()

@@ -13,7 +13,6 @@ A row takes some 5 seconds. --only: rows whose line has one of the texts, for in
 rows that were not run stay as they are in FILE.
 """
 
-import argparse
 import re
 import shutil
 from concurrent.futures import ThreadPoolExecutor
@@ -23,6 +22,7 @@ import numpy as np
 
 from cohesion_studies.foam_case import CaseError
 from cohesion_studies.progress_line import ProgressLine
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import Columns
 from cohesion_tests.coupling.fields import cells, particle_velocities
 from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, solve, times
@@ -204,9 +204,7 @@ def page(lines, before):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--table", help="file that the page is written to")
     parser.add_argument("--only", nargs="+", default=[""], help="rows whose line has one of these texts")
     parser.add_argument("--together", type=int, default=1, help="rows at a time")

@@ -12,10 +12,10 @@ runs cases without drag; each takes some 20 s. The growth printed is the mean of
 docs/verification/coupled_flow.md. With stiff drag the eigenvalues say nothing: see free_waves.py, whose spheres stand in
 columns."""
 
-import argparse
 
 import numpy as np
 
+from cohesion_tests import measuring_program
 from cohesion_tests.coupling.cases import Columns
 from cohesion_tests.coupling.fields import cells, particle_velocities
 from cohesion_tests.coupling.free_spheres import DT
@@ -42,9 +42,7 @@ def sizes(folder, steps):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
-    parser.add_argument("work")
+    parser = measuring_program.coupling_parser(__doc__)
     parser.add_argument("--spheres", type=int, default=200, help="in a cell (%(default)s)")
     parser.add_argument("--cells", type=int, nargs=2, default=(2, 16), help="of the box, wide and high (2 16)")
     parser.add_argument("--steps", type=int, default=40, help="of the gas, more than 20 (%(default)s)")

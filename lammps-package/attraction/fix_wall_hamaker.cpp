@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "atom.h"
-#include "common/given_keywords.h"
 #include "common/plausible_sizes.h"
+#include "common/specified_keywords.h"
 #include "contact/adhesion.h"
 #include "domain.h"
 #include "engine/largest_radii.h"
@@ -35,11 +35,10 @@ static const char* const usage =
     "name and 'asperity' with a radius or 'roughness' with rms and wavelength";
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg),
+    : FixWithWallHistory(lammps, narg, arg),
       given(hamaker::none),
       form(hamaker::forms.data()),
       law(form->law(given, false)),
-      history(lammps),
       watch(lammps),
       gives_advice(false),
       summed(false) {
@@ -68,9 +67,9 @@ FixWallHamaker::~FixWallHamaker() {
 void FixWallHamaker::read(int narg, char** arg) {
   const std::string where = std::string("fix ") + arg[0] + " wall/hamaker";
   WordsOfLaw all(lmp, where, 3, narg, arg, {{"hamaker", 1}, {"cutoff", 2}});
-  const std::vector<ContactKeyword<hamaker::Parameters>> keywords = hamaker_keywords();
-  GivenKeywords given_words(lmp, where);
-  hamaker::Parameters p = hamaker::none;
+  const std::vector<ContactKeyword<hamaker::HamakerParameters>> keywords = hamaker_keywords();
+  SpecifiedKeywords specified(lmp, where);
+  hamaker::HamakerParameters p = hamaker::none;
   char** const words = all.get();
   const int count = all.count();
   for (int i = 0; i < count;) {
@@ -80,11 +79,11 @@ void FixWallHamaker::read(int narg, char** arg) {
                                   [&](const auto& k) { return word == k.name; });
     if (row != keywords.end()) {
       const int stop = std::min(i + 1 + row->values(), count);
-      read_keywords(lmp, where, keywords, i, stop, words, p, given_words);
+      read_keywords(lmp, where, keywords, i, stop, words, p, specified);
       i = stop;
     } else if (word == "form") {
       if (left < 1) error->all(FLERR, "fix wall/hamaker: form takes a name");
-      given_words.note(1, words + i);
+      specified.note(1, words + i);
       form = hamaker_form_from_script(lmp, where, words[i + 1]);
       i += 2;
     } else if (word == "xplane" || word == "yplane" || word == "zplane") {
@@ -98,9 +97,9 @@ void FixWallHamaker::read(int narg, char** arg) {
                             "asperity, roughness");
     }
   }
-  if (planes.empty() || !given_words.has("hamaker") || !given_words.has("cutoff"))
+  if (planes.empty() || !specified.has("hamaker") || !specified.has("cutoff"))
     error->all(FLERR, usage);
-  require_one_roughness(lmp, where, given_words);
+  require_one_roughness(lmp, where, specified);
   given = p;
   law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
 }
@@ -203,7 +202,7 @@ void FixWallHamaker::add_advice(const RunConditions& of_all, AdviceOfStyles& adv
   advice.add(
       style, id,
       advice_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step",
-                           contacts, now, given_advice));
+                           contacts, now, advice_filter));
 }
 
 template <class Law>

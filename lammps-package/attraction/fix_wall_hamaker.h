@@ -12,7 +12,6 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #include <vector>
 
 #include "contact_solver/wall.h"
-#include "fix.h"
 #include "hamaker/forms.h"
 #include "soft_contacts/contact_advice.h"
 #include "soft_contacts/wall_history.h"
@@ -22,7 +21,7 @@ namespace LAMMPS_NS {
 /// fix wall/hamaker hamaker A cutoff H_cut H_out [form name] [asperity r_a | roughness rms lambda]
 /// xplane lo hi ...: Hamaker attraction of spheres to plane walls, by the law of the pairs. Doc:
 /// docs/lammps-package/fix_wall_hamaker.md
-class FixWallHamaker : public Fix {
+class FixWallHamaker : public FixWithWallHistory {
  public:
   FixWallHamaker(class LAMMPS*, int, char**);
   ~FixWallHamaker() override;
@@ -36,17 +35,6 @@ class FixWallHamaker : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
-  void grow_arrays(int nmax) override { history.grow(nmax); }
-  void copy_arrays(int i, int j, int) override { history.copy(i, j); }
-  void set_arrays(int i) override { history.begin(i); }
-  int pack_exchange(int i, double* buf) override { return history.pack(i, buf); }
-  int unpack_exchange(int i, double* buf) override { return history.unpack(i, buf); }
-  int pack_restart(int i, double* buf) override { return history.pack_restart(i, buf); }
-  void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
-  int maxsize_restart() override { return history.size_restart(); }
-  int size_restart(int) override { return history.size_restart(); }
-  double memory_usage() override { return history.bytes(); }
-
  private:
   void read(int, char**);
   void read_planes(const std::string& word, char** positions);
@@ -59,14 +47,13 @@ class FixWallHamaker : public Fix {
   void add_advice(const RunConditions&, AdviceOfStyles&);
   void sum();
 
-  cohesion::hamaker::Parameters given;
+  cohesion::hamaker::HamakerParameters given;
   const cohesion::hamaker::Form* form;
   cohesion::hamaker::AnyLaw law;
   std::vector<cohesion::contact_solver::Wall> planes;
-  WallHistory history;  // of each particle and plane its flag alone
-  RunWatch watch;
+  LammpsWatch watch;
   bool gives_advice;  // for all fixes of this style
-  cohesion::advice::WarningFilter given_advice;
+  cohesion::advice::WarningFilter advice_filter;
   double mine[4];  // energy, force on the walls
   double total[4];
   bool summed;

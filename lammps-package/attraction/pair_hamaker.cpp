@@ -105,7 +105,7 @@ void PairHamaker::give_advice() {
   advice.add(
       where, "",
       advice_of_attraction(lmp, where, "use pair_style gran/hamaker, which sees it at any step",
-                           contacts, watch.now(), given_advice));
+                           contacts, watch.now(), advice_filter));
   advice.print(lmp);
 }
 
@@ -223,7 +223,7 @@ void PairHamaker::settings(int narg, char** arg) {
   const std::string where = "pair_style hamaker";
   WordsOfLaw words(lmp, where, 0, narg, arg, {{"cutoff", 2}});
   warned = words.by_place();
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   Settings s;
   read_keywords(lmp, where, keywords, 0, words.count(), words.get(), s, given);
   surface_cutoff = s.surface_cutoff;
@@ -246,7 +246,7 @@ void PairHamaker::coeff(int narg, char** arg) {
   const std::string here = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker";
   WordsOfLaw words(lmp, here, 2, narg, arg, {{"hamaker", 1}, {"cutoff", 2}}, !warned);
   warned = warned || words.by_place();
-  GivenKeywords given(lmp, here);
+  SpecifiedKeywords given(lmp, here);
   Parameters p{0.0, surface_cutoff, outer_cutoff};
   read_keywords(lmp, here, hamaker_keywords(), 0, words.count(), words.get(), p, given);
   if (!given.has("hamaker")) error->all(FLERR, here + " needs 'hamaker A'");

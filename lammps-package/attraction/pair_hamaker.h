@@ -46,7 +46,7 @@ class PairHamaker : public Pair, public BoundPairs {
   void write_data_all(FILE*) override;
 
  private:
-  using Parameters = cohesion::hamaker::Parameters;
+  using Parameters = cohesion::hamaker::HamakerParameters;
 
   template <bool TALLY, bool NEWTON, class Law>
   void compute_pairs(const std::vector<Law>&);
@@ -71,8 +71,8 @@ class PairHamaker : public Pair, public BoundPairs {
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   bool needs_list;                                      // whether any pair is looked at in this run
   bool warned;                                          // of numbers without keywords
-  RunWatch watch;
-  cohesion::advice::WarningFilter given_advice;
+  LammpsWatch watch;
+  cohesion::advice::WarningFilter advice_filter;
 };
 
 }  // namespace LAMMPS_NS

@@ -59,8 +59,8 @@ long FixBubbles::highest_id() const {
   return all;
 }
 
-cohesion::bubbles::Box FixBubbles::box() const {
-  cohesion::bubbles::Box bounds{};
+cohesion::bubbles::BubbleBox FixBubbles::box() const {
+  cohesion::bubbles::BubbleBox bounds{};
   for (int k = 0; k < 3; k++) {
     bounds.low[k] = domain->boxlo[k];
     bounds.high[k] = domain->boxhi[k];

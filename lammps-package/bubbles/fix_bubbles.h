@@ -44,7 +44,7 @@ class FixBubbles : public Fix {
   void read_keywords(int, char**);
   int read_nozzles(int, int, char**);
   long highest_id() const;
-  cohesion::bubbles::Box box() const;
+  cohesion::bubbles::BubbleBox box() const;
   Gathered gather() const;
   std::vector<std::vector<double> > gas_rows(const Gathered&,
                                              const cohesion::bubbles::Events&) const;
@@ -61,7 +61,7 @@ class FixBubbles : public Fix {
   std::string where;
   cohesion::bubbles::Rules rules;
   std::optional<cohesion::bubbles::Nozzles> nozzles;
-  cohesion::bubbles::Totals totals;
+  cohesion::bubbles::BubbleTotals totals;
   std::map<long, double> resting;  // until when bubbles do not merge, by ID
   double elapsed;                  // time since the fix was defined, of all runs
   long next_id;                    // -1: not known yet

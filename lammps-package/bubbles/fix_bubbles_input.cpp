@@ -2,8 +2,8 @@
 // What a script says of fix bubbles.
 #include "atom.h"
 #include "bubbles/fix_bubbles.h"
-#include "common/given_keywords.h"
 #include "common/message.h"
+#include "common/specified_keywords.h"
 #include "domain.h"
 #include "input/law_from_script.h"
 #include "update.h"
@@ -57,7 +57,7 @@ int FixBubbles::read_nozzles(int at, int narg, char** arg) {
 }
 
 void FixBubbles::read_keywords(int narg, char** arg) {
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   double grown = 0.0;  // diameter; 0: none grow
   const auto number = [&](int at) {
     if (at >= narg) stop(lmp, FLERR, where, ": keyword '", arg[at - 1], "' takes a value");

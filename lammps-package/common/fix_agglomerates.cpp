@@ -10,8 +10,8 @@
 #include "common/box_shear.h"
 #include "common/engine_api.h"
 #include "common/fragment_exchange.h"
-#include "common/given_keywords.h"
 #include "common/message.h"
+#include "common/specified_keywords.h"
 #include "domain.h"
 #include "force.h"
 #include "memory.h"
@@ -63,7 +63,7 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
 
 void FixAgglomerates::read_keywords(int narg, char** arg) {
   const std::string where = std::string("fix ") + id + " agglomerates";
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   for (int i = 4; i < narg; i += 2) {
     const std::string word = arg[i], value = i + 1 < narg ? arg[i + 1] : "";
     if (word == "sizes" && !value.empty()) {
@@ -362,10 +362,10 @@ void FixAgglomerates::write_restart(FILE* fp) {
   if (comm->me != 0) return;
   const auto& sums = distribution.sums();
   const double rows = static_cast<double>(sums.size()), step = static_cast<double>(last_step);
-  const int size = static_cast<int>(sizeof(double) * (2 + sums.size()) + sizeof(Totals));
+  const int size = static_cast<int>(sizeof(double) * (2 + sums.size()) + sizeof(FragmentTotals));
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&step, sizeof(double), 1, fp);
-  fwrite(&totals, sizeof(Totals), 1, fp);
+  fwrite(&totals, sizeof(FragmentTotals), 1, fp);
   fwrite(&rows, sizeof(double), 1, fp);
   fwrite(sums.data(), sizeof(double), sums.size(), fp);
 }
@@ -373,14 +373,15 @@ void FixAgglomerates::write_restart(FILE* fp) {
 void FixAgglomerates::restart(char* buf) {
   double step, rows;
   memcpy(&step, buf, sizeof(double));
-  memcpy(&totals, buf + sizeof(double), sizeof(Totals));
-  memcpy(&rows, buf + sizeof(double) + sizeof(Totals), sizeof(double));
+  memcpy(&totals, buf + sizeof(double), sizeof(FragmentTotals));
+  memcpy(&rows, buf + sizeof(double) + sizeof(FragmentTotals), sizeof(double));
   last_step = static_cast<bigint>(step);
   auto& sums = distribution.sums();
   if (static_cast<std::size_t>(rows) != sums.size())
     stop(lmp, FLERR, "fix ", id, " agglomerates: the restart holds a distribution of 'sizes ", rows,
          "', here it is ", sums.size(), "; give the same");
-  memcpy(sums.data(), buf + 2 * sizeof(double) + sizeof(Totals), sizeof(double) * sums.size());
+  memcpy(sums.data(), buf + 2 * sizeof(double) + sizeof(FragmentTotals),
+         sizeof(double) * sums.size());
 }
 
 int FixAgglomerates::pack_restart(int i, double* buf) {

@@ -84,7 +84,7 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
 
   bool held_only;  // partners are pairs that would not part by themselves
   cohesion::agglomerates::SizeDistribution distribution;
-  struct Totals {
+  struct FragmentTotals {
     double time = 0.0;  // since the fix was defined
     cohesion::agglomerates::TimeWeightedSize size;
     double durations = 0.0, finished = 0.0;

@@ -10,9 +10,9 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/box_shear.h"
-#include "common/given_keywords.h"
 #include "common/message.h"
 #include "common/shear_compatibility.h"
+#include "common/specified_keywords.h"
 #include "domain.h"
 #include "group.h"
 #include "input.h"
@@ -54,7 +54,7 @@ ImageShift shift_of(double start_tilt, double height, double length) {
 FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
     : engine_api::BoxFix(lammps, EngineArguments::count,
                          EngineArguments(lammps, arg).pointers.data()),
-      given_rate(0.0),
+      constant_rate(0.0),
       rate_variable(-1),
       profile(true),
       nonaffine_rebuild(true),
@@ -94,7 +94,7 @@ FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
 
 void FixDeformShear::read_keywords(int narg, char** arg) {
   const std::string where = std::string("fix ") + id + " deform/shear";
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   for (int i = 3; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "rate" && word != "profile" && word != "rebuild")
@@ -106,8 +106,8 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
       if (value.substr(0, 2) == "v_")
         rate_name = value.substr(2);
       else
-        given_rate = engine_api::numeric(FLERR, arg[i + 1], lmp);
-      if (!std::isfinite(given_rate))
+        constant_rate = engine_api::numeric(FLERR, arg[i + 1], lmp);
+      if (!std::isfinite(constant_rate))
         stop(lmp, FLERR, where, ": rate ", value, " must be a finite number or v_name");
     } else if (word == "profile") {
       if (value != "yes" && value != "no")
@@ -158,7 +158,7 @@ void FixDeformShear::find_rate() {
 }
 
 double FixDeformShear::rate_now() {
-  if (rate_variable < 0) return given_rate;
+  if (rate_variable < 0) return constant_rate;
   modify->clearstep_compute();
   const double rate = input->variable->compute_equal(rate_variable);
   modify->addstep_compute(update->ntimestep + 1);
@@ -180,7 +180,7 @@ void FixDeformShear::setup_pre_exchange() {
     if (profile) add_profile();
     state.begun = 1;
   } else if (rate_variable < 0) {
-    state.next_rate = given_rate;  // another one than that of a restart
+    state.next_rate = constant_rate;  // another one than that of a restart
   }
   lengths = shift.lengths_before(strain.at(now), domain->xy);
   h_rate[5] = shift.velocity(strain.rate);
@@ -315,14 +315,14 @@ double FixDeformShear::compute_vector(int n) {
 
 void FixDeformShear::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const int size = sizeof(State);
+  const int size = sizeof(ShearState);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&state, sizeof(State), 1, fp);
+  fwrite(&state, sizeof(ShearState), 1, fp);
 }
 
 void FixDeformShear::restart(char* buf) {
-  State saved;
-  memcpy(&saved, buf, sizeof(State));
+  ShearState saved;
+  memcpy(&saved, buf, sizeof(ShearState));
   if (saved.lx != state.lx || saved.ly != state.ly)
     stop(lmp, FLERR, "fix ", id, " deform/shear: the box of the restart was ", saved.lx, " by ",
          saved.ly, ", it is now ", state.lx, " by ", state.ly,

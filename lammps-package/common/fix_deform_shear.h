@@ -54,13 +54,13 @@ class FixDeformShear : public engine_api::BoxFix {
   void tilt_box(double);
   bool list_may_miss_a_pair() const;
 
-  double given_rate;
+  double constant_rate;
   std::string rate_name;  // of a variable; empty: the rate is the number
   int rate_variable;
   bool profile;            // whether to add the linear profile to the velocities when shear begins
   bool nonaffine_rebuild;  // whether the nonaffine displacements decide when lists are made
 
-  struct State {
+  struct ShearState {
     cohesion::shear::BoxStrain strain;
     double next_rate;  // from the end of the step on
     double start_tilt, ly, lx;

@@ -10,8 +10,8 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/box_shear.h"
-#include "common/given_keywords.h"
 #include "common/message.h"
+#include "common/specified_keywords.h"
 #include "domain.h"
 #include "driving/philox.h"
 #include "force.h"
@@ -22,8 +22,8 @@
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
-using cohesion::driving::Action;
 using cohesion::driving::Sums;
+using cohesion::driving::VelocityChange;
 
 FixDrive::FixDrive(LAMMPS* lammps, int narg, char** arg)
     : engine_api::StyleFix(lammps, narg, arg),
@@ -48,7 +48,7 @@ FixDrive::FixDrive(LAMMPS* lammps, int narg, char** arg)
 }
 
 void FixDrive::read_keywords(int narg, char** arg) {
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   for (int i = 4; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "temperature" && word != "by" && word != "seed")
@@ -158,8 +158,9 @@ void FixDrive::count_time(double found) {
 
 void FixDrive::end_of_step() {
   const Sums::Values all = sums();
-  const Action action = kicks ? cohesion::driving::kicked(all, temperature, domain->dimension)
-                              : cohesion::driving::rescaled(all, temperature, domain->dimension);
+  const VelocityChange action =
+      kicks ? cohesion::driving::kicked(all, temperature, domain->dimension)
+            : cohesion::driving::rescaled(all, temperature, domain->dimension);
   count_time(action.temperature);
   state.before = action.temperature;
   state.energy += action.energy;
@@ -169,7 +170,7 @@ void FixDrive::end_of_step() {
     apply(action);
 }
 
-void FixDrive::apply(const Action& action) {
+void FixDrive::apply(const VelocityChange& action) {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 change = action.change(beyond_flow(i), random_numbers(i));
@@ -194,12 +195,12 @@ double FixDrive::compute_vector(int n) {
 
 void FixDrive::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const int size = static_cast<int>(sizeof(State));
+  const int size = static_cast<int>(sizeof(DriveState));
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&state, sizeof(State), 1, fp);
+  fwrite(&state, sizeof(DriveState), 1, fp);
 }
 
 void FixDrive::restart(char* buf) {
-  memcpy(&state, buf, sizeof(State));
+  memcpy(&state, buf, sizeof(DriveState));
   is_restarted = true;
 }

@@ -38,14 +38,14 @@ class FixDrive : public engine_api::StyleFix {
   double mass_of(int) const;
   cohesion::driving::Sums::Values sums() const;
   void count_time(double temperature);
-  void apply(const cohesion::driving::Action&);
+  void apply(const cohesion::driving::VelocityChange&);
 
   std::string where;
   double temperature;
   bool kicks;  // by random accelerations; else by scaling
   int seed;
 
-  struct State {
+  struct DriveState {
     double energy = 0.0;     // put in so far, [mass velocity^2]
     double before = 0.0;     // granular temperature before the last action
     double over_time = 0.0;  // granular temperature integrated over time

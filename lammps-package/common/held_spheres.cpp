@@ -98,7 +98,7 @@ std::vector<Hold> holds(const LAMMPS* lmp) {
 }
 
 /// Least and largest of a number of the particles, over all ranks.
-struct Range {
+struct MinMax {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
   void add(double value) {
@@ -106,11 +106,11 @@ struct Range {
     high = std::max(high, value);
   }
   double spread() const { return high > low ? high - low : 0.0; }
-  Range of_all(MPI_Comm world) const {
+  MinMax of_all(MPI_Comm world) const {
     const double mine[] = {low, -high};
     double all[2];
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MIN, world);
-    Range range;
+    MinMax range;
     range.low = all[0];
     range.high = -all[1];
     return range;
@@ -120,7 +120,7 @@ struct Range {
 /// Whether all particles lie in one layer across `direction`, and move in it.
 bool is_layer(const LAMMPS* lmp, const Vector3& direction) {
   const Atom* const atom = lmp->atom;
-  Range places, velocities, radii, speeds;
+  MinMax places, velocities, radii, speeds;
   for (int i = 0; i < atom->nlocal; i++) {
     const Vector3 v = cohesion::vector(atom->v[i]);
     places.add(dot(direction, cohesion::vector(atom->x[i])));

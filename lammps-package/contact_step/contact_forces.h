@@ -25,7 +25,7 @@ using HistorySize = ContactHistory::Size;
 template <class Contact, int SIZE>
 class ContactForces {
  public:
-  using Action = cohesion::contact_solver::Action;
+  using Action = cohesion::contact_solver::PairImpulse;
   using ContactEnergies = cohesion::contact_solver::ContactEnergies;
   using FrictionalStep = cohesion::contact_solver::FrictionalStep;
   using PairMotion = cohesion::contact_solver::PairMotion;

@@ -201,7 +201,7 @@ void FixContactStep::save_accelerations() {
 void FixContactStep::keep_impulses() {
   const double more = forces_dt / update->dt - 1.0;
   if (more != 0.0)
-    for (const int i : given_impulses) {
+    for (const int i : impulsive_particles) {
       const double forces[] = {impulsive_forces[i].x, impulsive_forces[i].y, impulsive_forces[i].z};
       for (int k = 0; k < 3; k++)
         if (atom->f[i][k] != 0.0) atom->f[i][k] += more * forces[k];
@@ -211,8 +211,8 @@ void FixContactStep::keep_impulses() {
 }
 
 void FixContactStep::forget_impulses() {
-  for (const int i : given_impulses) impulsive_forces[i] = {};
-  given_impulses.clear();
+  for (const int i : impulsive_particles) impulsive_forces[i] = {};
+  impulsive_particles.clear();
 }
 
 /// Energy balances begin when all fixes have been set up, or at the end of a run without steps.

@@ -147,7 +147,7 @@ class FixContactStep : public Fix {
   /// Adds a force [force] of an impulse at the edge of a range, on own particle i.
   void add_impulsive_force(int i, const cohesion::Vector3& on_it) {
     impulsive_forces[i] += on_it;
-    given_impulses.push_back(i);
+    impulsive_particles.push_back(i);
   }
   /// Counts a contact that was not resolved to the end of the step.
   void count_unresolved(double fraction) { unresolved += fraction; }
@@ -193,7 +193,7 @@ class FixContactStep : public Fix {
 
   std::vector<SoftContactStyle*> styles;  // those of this run
   std::vector<AdvisedStyle*> advised;     // the same
-  RunWatch watch;
+  LammpsWatch watch;
 
   char* forwarded_flags;       // per atom and ghost: whether it has values to forward
   NumbersOf forwarded_values;  // these values, `values_each` per particle
@@ -216,13 +216,13 @@ class FixContactStep : public Fix {
   double largest_acceleration = 0.0;  // of these
   bool step_due = false;              // begin_step()
   std::vector<cohesion::Vector3> impulsive_forces;  // per atom, of this step: add_impulsive_force()
-  std::vector<int> given_impulses;   // indices of atoms with such forces, with repetitions
-  bool any_exact_scheme = false;     // whether any style of this run has it
-  bool any_dynamic_group = false;    // whether fixes move or freeze such a group
-  std::vector<char> flagged;         // storage of forwarded_flags
-  double* inverse_mass;              // per atom and ghost
-  std::vector<double> known_masses;  // inverse_mass belongs to these; empty: not computed yet
-  std::vector<double> known_radii;   // radii_version belongs to these
+  std::vector<int> impulsive_particles;  // indices of atoms with such forces, with repetitions
+  bool any_exact_scheme = false;         // whether any style of this run has it
+  bool any_dynamic_group = false;        // whether fixes move or freeze such a group
+  std::vector<char> flagged;             // storage of forwarded_flags
+  double* inverse_mass;                  // per atom and ghost
+  std::vector<double> known_masses;      // inverse_mass belongs to these; empty: not computed yet
+  std::vector<double> known_radii;       // radii_version belongs to these
   long radii_version = 0;
   double longest_flight;
   double unresolved;                        // contacts not resolved to the end of a step, this run

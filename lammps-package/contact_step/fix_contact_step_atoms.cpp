@@ -193,5 +193,5 @@ double FixContactStep::memory_usage() {
   return sizeof(double) * atom->nmax + impulses.bytes() + static_cast<double>(flagged.capacity()) +
          sizeof(double) * (known_masses.capacity() + known_radii.capacity()) +
          sizeof(cohesion::Vector3) * impulsive_forces.capacity() +
-         sizeof(int) * given_impulses.capacity() + accelerations.bytes() + last.bytes();
+         sizeof(int) * impulsive_particles.capacity() + accelerations.bytes() + last.bytes();
 }

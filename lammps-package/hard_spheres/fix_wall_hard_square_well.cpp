@@ -35,15 +35,15 @@ FixWallHardSquareWell::FixWallHardSquareWell(LAMMPS* lammps, int narg, char** ar
 
 void FixWallHardSquareWell::read(int narg, char** arg) {
   WallsFromScript script_walls(lmp, message_prefix_);
-  GivenKeywords given_keywords(lmp, message_prefix_);
+  SpecifiedKeywords specified(lmp, message_prefix_);
   for (int at = 3; at < narg;) {
     const std::string word = arg[at];
     if (word == "well" && at + 1 < narg && strcmp(arg[at + 1], "off") == 0) {
-      given_keywords.note(1, arg + at);
-      contact_.well_given = true;
+      specified.note(1, arg + at);
+      contact_.has_well = true;
       at += 2;
-    } else if (const int words = read_hard_keyword(lmp, message_prefix_, at, narg, arg, contact_,
-                                                   given_keywords)) {
+    } else if (const int words =
+                   read_hard_keyword(lmp, message_prefix_, at, narg, arg, contact_, specified)) {
       at += words;
     } else if (const int wall = script_walls.read(narg - at, arg + at)) {
       at += wall;
@@ -54,7 +54,7 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
     }
   }
   script_walls.finish();
-  require_valid(lmp, message_prefix_, contact_, given_keywords);
+  require_valid(lmp, message_prefix_, contact_, specified);
   walls_ = script_walls.walls;
   motion_ = script_walls.motion;
   course_ = cohesion::contact_solver::WallCourse(motion_);
@@ -102,12 +102,12 @@ const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
 }
 
 double FixWallHardSquareWell::ratio(int type) const {
-  return contact_.well_given ? contact_.well.ratio_i : pair_contact(type).well.ratio_i;
+  return contact_.has_well ? contact_.well.ratio_i : pair_contact(type).well.ratio_i;
 }
 
 ImpactLaw FixWallHardSquareWell::impact_law(int type) const {
   ImpactLaw law = contact_.law();
-  if (!contact_.well_given) law.depth = PLANE_OVER_SPHERE * pair_contact(type).well.depth;
+  if (!contact_.has_well) law.depth = PLANE_OVER_SPHERE * pair_contact(type).well.depth;
   return law;
 }
 

@@ -110,7 +110,7 @@ void PairHardSquareWell::set_contact(int i, int j, const HardContact& c) {
 
 void PairHardSquareWell::settings(int narg, char** arg) {
   const std::string message_prefix = "pair_style hard/squarewell";
-  GivenKeywords given_keywords(lmp, message_prefix);
+  SpecifiedKeywords specified(lmp, message_prefix);
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "collapse" && word != "contact_time" && word != "rest" && word != "limit" &&
@@ -120,7 +120,7 @@ void PairHardSquareWell::settings(int narg, char** arg) {
     if (i + 1 == narg)
       error->all(FLERR, message_prefix + ": " + word +
                             (word == "record" ? " takes a file name" : " takes a number"));
-    given_keywords.note(1, arg + i);
+    specified.note(1, arg + i);
     const std::string value = arg[i + 1];
     if (word == "record") {
       record_file_ = value;
@@ -154,15 +154,15 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
   const std::string message_prefix =
       std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/squarewell";
   HardContact c;
-  GivenKeywords given_keywords(lmp, message_prefix);
+  SpecifiedKeywords specified(lmp, message_prefix);
   for (int at = 2; at < narg;) {
-    const int words = read_hard_keyword(lmp, message_prefix, at, narg, arg, c, given_keywords);
+    const int words = read_hard_keyword(lmp, message_prefix, at, narg, arg, c, specified);
     if (words == 0)
       error->all(FLERR, message_prefix + ": unknown keyword '" + arg[at] +
                             "'; valid ones: restitution, friction, well");
     at += words;
   }
-  require_valid(lmp, message_prefix, c, given_keywords);
+  require_valid(lmp, message_prefix, c, specified);
   contacts_.assign(message_prefix, arg, [&](int i, int j) { set_contact(i, j, c); });
 }
 

@@ -30,7 +30,7 @@ class CohesiveCoefficients : protected Pointers {
   explicit CohesiveCoefficients(LAMMPS* lammps)
       : Pointers(lammps), scheme_(Scheme::exact), parameters_(lammps) {}
 
-  static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
+  static std::string message_prefix() { return std::string("pair_style ") + Cohesion::STYLE; }
 
   /// What `pair_style` says.
   void read_settings(int narg, char** arg);
@@ -46,12 +46,12 @@ class CohesiveCoefficients : protected Pointers {
     prepared_.assign(parameters_.size(), false);
     has_other_ranges_ = false;
   }
-  void require_committed() const { parameters_.require_committed(where()); }
+  void require_committed() const { parameters_.require_committed(message_prefix()); }
   /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
-  bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
+  bool has(int i, int j) const { return prepared_[pair_index(i, j)]; }
   /// Whether any law that prepare() has made acts as far as another than that of the run before.
   bool has_other_ranges() const { return has_other_ranges_; }
-  /// Whether the laws of two pairs of types, of_types(), have different ranges.
+  /// Whether the laws of two pairs of types, pair_index(), have different ranges.
   bool have_other_ranges(int a, int b) const { return a != b && ranges_[a] != ranges_[b]; }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
   /// the scheme has to see particles of these radii, [length].
@@ -64,7 +64,7 @@ class CohesiveCoefficients : protected Pointers {
       if (scheme_ != Scheme::exact || radius_i == 0.0 || radius_j == 0.0) return;
       LAMMPS_NS::from_script(lmp, where_types(i, j), [&] {
         cohesion::contact_solver::require_turns_as_touching(
-            attraction<cohesion::contact::Adhesion>(of_types(i, j), radius_i, radius_j),
+            attraction<cohesion::contact::Adhesion>(pair_index(i, j), radius_i, radius_j),
             radius_i + radius_j);
         return true;
       });
@@ -85,21 +85,21 @@ class CohesiveCoefficients : protected Pointers {
   }
 
   Scheme scheme() const { return scheme_; }
-  int pairs_of_types() const { return parameters_.size(); }
+  int type_pairs() const { return parameters_.size(); }
   /// The number of a pair of types.
-  int of_types(int i, int j) const { return parameters_.number(i, j); }
+  int pair_index(int i, int j) const { return parameters_.number(i, j); }
   /// That acts, from prepare() on.
-  const cohesion::contact::ContactParameters& contact(int of_types) const {
-    return contacts_[of_types];
+  const cohesion::contact::ContactParameters& contact(int pair_index) const {
+    return contacts_[pair_index];
   }
-  cohesion::advice::Material material(int of_types) const {
-    return Cohesion::material(parameters_[of_types]);
+  cohesion::advice::Material material(int pair_index) const {
+    return Cohesion::material(parameters_[pair_index]);
   }
-  std::string doubt(int of_types) const { return Cohesion::doubt(lmp, parameters_[of_types]); }
+  std::string doubt(int pair_index) const { return Cohesion::doubt(lmp, parameters_[pair_index]); }
   /// Gap up to which particles of these types attract each other, whatever the scheme makes of it,
   /// [length]; 0: they do not.
-  double range_of_attraction(int of_types) const {
-    return Cohesion::range(Scheme::sampled, parameters_[of_types], 1.0, 1.0);
+  double range_of_attraction(int pair_index) const {
+    return Cohesion::range(Scheme::sampled, parameters_[pair_index], 1.0, 1.0);
   }
   /// Whether all contacts have linear springs. Of the given ones: mixing adds no others.
   bool all_linear() const {
@@ -130,10 +130,10 @@ class CohesiveCoefficients : protected Pointers {
   }
   /// Of the contacts of these types that are this style's.
   cohesion::advice::StickingRules sticking_rules(int types) const {
-    auto rules = sticking_rules_of_law<Cohesion>(where(), scheme_);
+    auto rules = sticking_rules_of_law<Cohesion>(message_prefix(), scheme_);
     for (int i = 1; i <= types; i++)
       for (int j = i; j <= types; j++) {
-        const int k = of_types(i, j);
+        const int k = pair_index(i, j);
         if (prepared_[k])
           add_contact<Cohesion>(rules, attraction<cohesion::contact::Adhesion>(k, 1.0, 1.0),
                                 parameters_[k], contacts_[k]);
@@ -142,8 +142,8 @@ class CohesiveCoefficients : protected Pointers {
   }
   /// As a pair of src/contact_solver takes it.
   template <class Attraction>
-  Attraction attraction(int of_types, double radius_i, double radius_j) const {
-    return Cohesion::template of_pair<Attraction>(laws_[of_types], radius_i, radius_j);
+  Attraction attraction(int pair_index, double radius_i, double radius_j) const {
+    return Cohesion::template of_pair<Attraction>(laws_[pair_index], radius_i, radius_j);
   }
 
  private:
@@ -154,7 +154,7 @@ class CohesiveCoefficients : protected Pointers {
       return Cohesion::from_script(lmp, here, 2, narg, arg);
   }
   static std::string where_types(int i, int j) {
-    return where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+    return message_prefix() + ", types " + std::to_string(i) + " and " + std::to_string(j);
   }
   void give(int i, int j, const Parameters& p) {
     parameters_(i, j) = p;
@@ -163,9 +163,9 @@ class CohesiveCoefficients : protected Pointers {
   /// Returns whether it is another than before; the first of all is not.
   bool note_range(int i, int j) {
     ranges_.resize(parameters_.size(), NONE);
-    const double before = ranges_[of_types(i, j)];
+    const double before = ranges_[pair_index(i, j)];
     const double now = Cohesion::range(Scheme::exact, parameters_(i, j), 1.0, 1.0);
-    ranges_[of_types(i, j)] = ranges_[of_types(j, i)] = now;
+    ranges_[pair_index(i, j)] = ranges_[pair_index(j, i)] = now;
     return before != NONE && before != now;
   }
 
@@ -174,7 +174,7 @@ class CohesiveCoefficients : protected Pointers {
   Scheme scheme_;
   Cohesion cohesion_;
   TypePairTable<Parameters> parameters_;
-  std::vector<typename Cohesion::Law> laws_;  // by of_types(); of a scaled adhesion, if wished
+  std::vector<typename Cohesion::Law> laws_;  // by pair_index(); of a scaled adhesion, if wished
   std::vector<cohesion::contact::ContactParameters> contacts_;  // the same
   std::vector<bool> prepared_;                                  // the same
   std::vector<double> ranges_;  // the same, of particles of radius 1
@@ -184,19 +184,19 @@ class CohesiveCoefficients : protected Pointers {
 template <class Cohesion>
 void CohesiveCoefficients<Cohesion>::read_settings(int narg, char** arg) {
   if (!Cohesion::HAS_CONTACT && narg > 0)
-    error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
-  GivenKeywords given(lmp, where());
+    error->all(FLERR, message_prefix() + " takes no keywords, not '" + arg[0] + "'");
+  SpecifiedKeywords given(lmp, message_prefix());
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "scheme" && !is_setting<Cohesion>(word))
-      error->all(FLERR, where() + ": unknown keyword '" + word +
+      error->all(FLERR, message_prefix() + ": unknown keyword '" + word +
                             "'; valid ones: " + setting_names<Cohesion>());
-    if (i + 1 == narg) error->all(FLERR, where() + ": " + word + " takes a name");
+    if (i + 1 == narg) error->all(FLERR, message_prefix() + ": " + word + " takes a name");
     given.note(1, arg + i);
     if (word == "scheme")
-      scheme_ = scheme_from_script(lmp, where(), arg[i + 1]);
+      scheme_ = scheme_from_script(lmp, message_prefix(), arg[i + 1]);
     else
-      cohesion_.set(lmp, where(), word, arg[i + 1]);
+      cohesion_.set(lmp, message_prefix(), word, arg[i + 1]);
   }
 }
 
@@ -211,17 +211,17 @@ void CohesiveCoefficients<Cohesion>::read(int narg, char** arg) {
 template <class Cohesion>
 double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, double radius_j) {
   const std::string here = where_types(i, j);
-  if (parameters_.to_mix(where(), i, j))
+  if (parameters_.to_mix(message_prefix(), i, j))
     give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
            return Cohesion::mixed(parameters_(i, i), parameters_(j, j));
          }));
   require_computable(lmp, here, scheme_, parameters_(i, j).contact);
   if (note_range(i, j)) has_other_ranges_ = true;
   const Parameters scaled = cohesion_.scaled(lmp, here, parameters_(i, j));
-  laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
-  laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
-  contacts_[of_types(i, j)] = contacts_[of_types(j, i)] = scaled.contact;
-  prepared_[of_types(i, j)] = prepared_[of_types(j, i)] = true;
+  laws_[pair_index(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
+  laws_[pair_index(i, j)] = cohesion_.law(lmp, here, scaled);
+  contacts_[pair_index(i, j)] = contacts_[pair_index(j, i)] = scaled.contact;
+  prepared_[pair_index(i, j)] = prepared_[pair_index(j, i)] = true;
   return Cohesion::range(scheme_, scaled, radius_i, radius_j);
 }
 
@@ -236,7 +236,7 @@ void CohesiveCoefficients<Cohesion>::write_settings(FILE* fp, int per_pair) cons
 
 template <class Cohesion>
 int CohesiveCoefficients<Cohesion>::read_settings(FILE* fp) {
-  require_layout(lmp, fp, where(), Cohesion::RESTART_LAYOUT);
+  require_layout(lmp, fp, message_prefix(), Cohesion::RESTART_LAYOUT);
   int numbers[3] = {0, 0, 0};
   if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 3, fp, nullptr, error);
   MPI_Bcast(numbers, 3, MPI_INT, 0, world);

@@ -9,7 +9,7 @@ using namespace LAMMPS_NS;
 using cohesion::contact::ContactParameters;
 
 void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const ContactParameters& p,
-                              const GivenKeywords& given) {
+                              const SpecifiedKeywords& given) {
   if (given.has("damping") && p.damping < 0.0)
     lmp->error->all(FLERR, where + ": damping eta must not be negative");
   if (given.has("damping") && given.has("restitution"))

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "advice/contact_advice.h"
-#include "common/given_keywords.h"
+#include "common/specified_keywords.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
 #include "input/keyword_values.h"
@@ -111,7 +111,7 @@ std::string contact_keyword_names() {
 
 /// Stops LAMMPS at a contact that cannot be right; `given` are the keywords that were there.
 void require_valid(LAMMPS*, const std::string& where, const cohesion::contact::ContactParameters&,
-                   const GivenKeywords& given);
+                   const SpecifiedKeywords& given);
 /// Stops LAMMPS where the scheme cannot compute the contact.
 void require_computable(LAMMPS*, const std::string& where, Scheme,
                         const cohesion::contact::ContactParameters&);
@@ -120,7 +120,7 @@ void require_computable(LAMMPS*, const std::string& where, Scheme,
 /// message. Stops LAMMPS at a keyword or value that cannot be right.
 template <class Keywords, class Parameters>
 void read_keywords(LAMMPS* lmp, const std::string& where, const Keywords& keywords, int first,
-                   int narg, char** arg, Parameters& p, GivenKeywords& given) {
+                   int narg, char** arg, Parameters& p, SpecifiedKeywords& given) {
   for (int i = first; i < narg;) {
     const auto& keyword = *from_script(
         lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
@@ -139,7 +139,7 @@ template <class Cohesion>
 typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const std::string& where,
                                                            int first, int narg, char** arg) {
   typename Cohesion::Parameters p;
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   read_keywords(lmp, where, contact_keywords<Cohesion>(), first, narg, arg, p, given);
   require_valid(lmp, where, p.contact, given);
   Cohesion::require_valid(lmp, where, p, given);

@@ -11,12 +11,14 @@
 
 namespace LAMMPS_NS {
 
-inline cohesion::hamaker::Parameters& itself(cohesion::hamaker::Parameters& p) { return p; }
+inline cohesion::hamaker::HamakerParameters& itself(cohesion::hamaker::HamakerParameters& p) {
+  return p;
+}
 
 /// `hamaker A [cutoff H_cut H_out] [asperity r_a | roughness rms lambda]`, of what law() finds
 /// among the parameters P.
-template <class P = cohesion::hamaker::Parameters,
-          cohesion::hamaker::Parameters& (*law)(P&) = &itself>
+template <class P = cohesion::hamaker::HamakerParameters,
+          cohesion::hamaker::HamakerParameters& (*law)(P&) = &itself>
 std::vector<ContactKeyword<P>> hamaker_keywords() {
   return {{"hamaker", "A", [](P& p, const double* v) { law(p).hamaker_constant = v[0]; }},
           {"cutoff", "H_cut H_out",
@@ -34,7 +36,7 @@ std::vector<ContactKeyword<P>> hamaker_keywords() {
 
 /// Stops LAMMPS where asperities are given in both ways.
 inline void require_one_roughness(LAMMPS* lmp, const std::string& where,
-                                  const GivenKeywords& given) {
+                                  const SpecifiedKeywords& given) {
   if (given.has("asperity") && given.has("roughness"))
     lmp->error->all(FLERR, where +
                                ": asperities are given either by their radius ('asperity') or by "

@@ -7,7 +7,7 @@
 using namespace LAMMPS_NS;
 
 int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, int narg,
-                                 char** arg, HardContact& c, GivenKeywords& given) {
+                                 char** arg, HardContact& c, SpecifiedKeywords& given) {
   const std::string word = arg[at];
   const bool well = word == "well";
   if (!well && word != "restitution" && word != "friction") return 0;
@@ -21,13 +21,13 @@ int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, 
     c.friction = number[0];
   } else {
     c.well = cohesion::square_well::well(number[0], number[1]);
-    c.well_given = true;
+    c.has_well = true;
   }
   return 2 + well;
 }
 
 void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardContact& c,
-                              const GivenKeywords& given) {
+                              const SpecifiedKeywords& given) {
   if (!given.has("restitution")) lmp->error->all(FLERR, where + ": give 'restitution e'");
   from_script(lmp, where, [&] {
     cohesion::hard_sphere::require_valid(c);

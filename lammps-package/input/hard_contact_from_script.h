@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "common/given_keywords.h"
+#include "common/specified_keywords.h"
 #include "hard_sphere/hard_contact_parameters.h"
 #include "lammps.h"
 
@@ -12,16 +12,16 @@ namespace LAMMPS_NS {
 
 /// The impacts of two materials as a script gives them.
 struct HardContact : cohesion::hard_sphere::HardContactParameters {
-  bool well_given = false;  ///< the script gives a well, or `well off`
+  bool has_well = false;  ///< the script gives a well, or `well off`
 };
 
 /// Reads one keyword of `restitution e [friction mu] [well D ratio]` at arg[at]; returns the number
 /// of words that belong to it, 0 when it is none of these.
 int read_hard_keyword(LAMMPS*, const std::string& where, int at, int narg, char** arg, HardContact&,
-                      GivenKeywords&);
+                      SpecifiedKeywords&);
 
 /// Stops LAMMPS when a parameter is out of its bounds, or restitution is not given.
-void require_valid(LAMMPS*, const std::string& where, const HardContact&, const GivenKeywords&);
+void require_valid(LAMMPS*, const std::string& where, const HardContact&, const SpecifiedKeywords&);
 
 }  // namespace LAMMPS_NS
 

@@ -40,7 +40,7 @@ inline const cohesion::hamaker::Form* hamaker_form_from_script(LAMMPS* lmp,
 /// nothing is asked where there are no particles yet. radius_j infinite: a wall.
 inline void require_far_below_radius(LAMMPS* lmp, const std::string& where,
                                      const cohesion::hamaker::Form& form,
-                                     const cohesion::hamaker::Parameters& p, double radius_i,
+                                     const cohesion::hamaker::HamakerParameters& p, double radius_i,
                                      double radius_j) {
   if (radius_i == 0.0 || radius_j == 0.0) return;
   const auto geometry = std::isfinite(radius_j) ? cohesion::two_spheres(radius_i, radius_j)

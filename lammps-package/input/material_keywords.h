@@ -35,7 +35,7 @@ inline const char* material_words(const cohesion::contact::ContactParameters& co
 /// Stops LAMMPS at keywords of the material that do not go with the contact.
 inline void require_material(LAMMPS* lmp, const std::string& where,
                              const cohesion::contact::ContactParameters& contact,
-                             const GivenKeywords& given) {
+                             const SpecifiedKeywords& given) {
   const bool linear = given.has("material_stiffness"), hertz = given.has("material_modulus");
   if (linear && contact.is_hertz())
     lmp->error->all(FLERR, where +

@@ -9,7 +9,7 @@
 
 #include "arg_info.h"
 #include "comm.h"
-#include "common/given_keywords.h"
+#include "common/specified_keywords.h"
 #include "error.h"
 #include "group.h"
 #include "input.h"
@@ -34,7 +34,7 @@ struct TermRow {
   int operands;
 };
 
-/// In the order of FixStationary::Kind.
+/// In the order of FixStationary::TermKind.
 constexpr TermRow TERMS[] = {{"mean", 1}, {"weighted", 2}, {"rate", 1}, {"ratio", 2}};
 
 }  // namespace
@@ -106,7 +106,7 @@ void FixStationary::read_keywords(int narg, char** arg) {
        }},
       {"watch", true, [&](int i) { return read_watched(i, narg, arg); }},
   };
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   for (int i = 4; i < narg;) {
     const Keyword& keyword = *from_script(
         lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
@@ -131,7 +131,7 @@ int FixStationary::read_watched(int i, int narg, char** arg) {
     if (i + row->operands >= narg)
       error->all(FLERR, where + ": watch: " + word + " takes " +
                             (row->operands == 2 ? "two values" : "one value"));
-    Term term{static_cast<Kind>(row - std::begin(TERMS)), {}, {}, 0.0, 0.0};
+    Term term{static_cast<TermKind>(row - std::begin(TERMS)), {}, {}, 0.0, 0.0};
     term.value = arg[++i];
     value.words += (value.words.empty() ? "" : " + ") + word + " " + term.value;
     require_exists(term.value);
@@ -240,11 +240,11 @@ std::vector<Ratio> FixStationary::gains(double elapsed) {
     for (Term& term : value.terms) {
       const double here = evaluate(term.value);
       const double other = term.other.empty() ? 0.0 : evaluate(term.other);
-      if (term.kind == Kind::mean)
+      if (term.kind == TermKind::mean)
         gained.push_back({here, 1.0});
-      else if (term.kind == Kind::weighted)
+      else if (term.kind == TermKind::weighted)
         gained.push_back({here * other, other});
-      else if (term.kind == Kind::rate)
+      else if (term.kind == TermKind::rate)
         gained.push_back({here - term.last, elapsed});
       else
         gained.push_back({here - term.last, other - term.last_other});

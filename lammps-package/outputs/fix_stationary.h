@@ -34,9 +34,9 @@ class FixStationary : public Fix {
   void restart(char*) override;
 
  private:
-  enum class Kind { mean, weighted, rate, ratio };
+  enum class TermKind { mean, weighted, rate, ratio };
   struct Term {
-    Kind kind;
+    TermKind kind;
     std::string value,
         other;  // as in the script: c_ID, f_ID, v_name; the weight, of a ratio the total below
     double last, last_other;  // of totals

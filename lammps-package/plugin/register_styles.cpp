@@ -62,12 +62,12 @@ constexpr PairRow pairs[] = {
     {"hard/square_well", &make_pair<FormerPairHardSquareWell>},
 };
 
-struct Row {
+struct StyleEntry {
   const char* name;
   lammpsplugin_factory2* factory;
 };
 
-constexpr Row fixes[] = {
+constexpr StyleEntry fixes[] = {
     {"CONTACT_STEP", &make<FixContactStep>},
     {"HARD_EVENTS", &make<FixHardEvents>},
     {"agglomerates", &make<FixAgglomerates>},
@@ -85,7 +85,7 @@ constexpr Row fixes[] = {
     {"wall/hard/square_well", &make<FormerFixWallHardSquareWell>},
 };
 
-constexpr Row computes[] = {
+constexpr StyleEntry computes[] = {
     {"gran/energy", &make<ComputeGranEnergy>},     {"gran/stress", &make<ComputeGranStress>},
     {"hard/events", &make<ComputeHardEvents>},     {"hard/stress", &make<ComputeHardStress>},
     {"shear/profile", &make<ComputeShearProfile>},
@@ -108,7 +108,7 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   }
   const auto register_all = [&](const char* kind, const auto& rows) {
     plugin.style = kind;
-    for (const Row& row : rows) {
+    for (const StyleEntry& row : rows) {
       plugin.name = plugin.info = row.name;
       plugin.creator.v2 = row.factory;
       register_style(&plugin, lmp);

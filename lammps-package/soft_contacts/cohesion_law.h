@@ -54,7 +54,7 @@ class CohesionLaw {
   using Law = Core;
 
   static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                            const GivenKeywords&) {
+                            const SpecifiedKeywords&) {
     from_script(lmp, where, [&] {
       require_valid_law(p.law);
       return true;

@@ -101,9 +101,9 @@ RunConditions LAMMPS_NS::of_group(LAMMPS* lmp, const RunConditions& now, int gro
   return of_group;
 }
 
-void RunOfEngine::scan_particles(LAMMPS* lmp, RunConditions& now) { scan_group(lmp, ALL, now); }
+void LammpsRun::scan_particles(LAMMPS* lmp, RunConditions& now) { scan_group(lmp, ALL, now); }
 
-bool RunOfEngine::may_crowd(LAMMPS* lmp) {
+bool LammpsRun::may_crowd(LAMMPS* lmp) {
   bool several = !announced_particles(lmp).empty();
   for (int k = 0; k < lmp->neighbor->nlist && !several; k++) {
     const NeighList* const list = lmp->neighbor->lists[k];
@@ -113,7 +113,7 @@ bool RunOfEngine::may_crowd(LAMMPS* lmp) {
   return several;
 }
 
-double RunOfEngine::gravity(LAMMPS* lmp) { return gravity_of_group(lmp, ALL); }
+double LammpsRun::gravity(LAMMPS* lmp) { return gravity_of_group(lmp, ALL); }
 
 AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const LightestParticle& i,
                                           const LightestParticle& j,
@@ -125,7 +125,7 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
   return c;
 }
 
-std::string AdviceOfStyles::Entry::name() const {
+std::string AdviceOfStyles::StyleReport::name() const {
   if (ids.empty()) return style;
   return (several ? "fixes " : "fix ") + ids + " " + style;
 }
@@ -141,17 +141,17 @@ static bool same(const advice::Report& a, const advice::Report& b) {
 
 void AdviceOfStyles::add(const std::string& style, const std::string& fix_id,
                          const advice::Report& report) {
-  for (Entry& entry : entries_)
+  for (StyleReport& entry : reports_)
     if (!fix_id.empty() && entry.style == style && same(entry.report, report)) {
       entry.ids += ", " + fix_id;
       entry.several = true;
       return;
     }
-  entries_.push_back({style, fix_id, false, report});
+  reports_.push_back({style, fix_id, false, report});
 }
 
 void AdviceOfStyles::print(LAMMPS* lmp) const {
-  for (const Entry& entry : entries_) {
+  for (const StyleReport& entry : reports_) {
     const advice::Report& report = entry.report;
     if (lmp->comm->me == 0) {
       if (!report.table.empty()) utils::logmesg(lmp, entry.name() + report.table);
@@ -166,9 +166,9 @@ advice::Report LAMMPS_NS::advice_of_contacts(LAMMPS* lmp, const std::string& whe
                                              const advice::SchemeLimits& limits,
                                              const std::vector<AdvisedContact>& contacts,
                                              const RunConditions& now,
-                                             advice::WarningFilter& given_advice) {
+                                             advice::WarningFilter& advice_filter) {
   return from_script(lmp, where, [&] {
-    return given_advice.only_new(advice::report("", limits, contacts, now.run), contacts, now);
+    return advice_filter.only_new(advice::report("", limits, contacts, now.run), contacts, now);
   });
 }
 
@@ -176,11 +176,11 @@ advice::Report LAMMPS_NS::advice_of_attraction(LAMMPS* lmp, const std::string& w
                                                std::string_view remedy,
                                                const std::vector<AdvisedContact>& contacts,
                                                const RunConditions& now,
-                                               advice::WarningFilter& given_advice) {
+                                               advice::WarningFilter& advice_filter) {
   advice::SchemeLimits limits = advice::sampled_scheme;
   limits.remedy = remedy;
   return from_script(lmp, where, [&] {
-    return given_advice.only_new(advice::attraction_report("", limits, contacts, now.run), contacts,
-                                 now);
+    return advice_filter.only_new(advice::attraction_report("", limits, contacts, now.run),
+                                  contacts, now);
   });
 }

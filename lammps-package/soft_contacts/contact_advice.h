@@ -27,7 +27,7 @@ class AdviceOfStyles {
   void print(LAMMPS*) const;
 
  private:
-  struct Entry {
+  struct StyleReport {
     std::string style, ids;
     bool several;
     cohesion::advice::Report report;
@@ -35,7 +35,7 @@ class AdviceOfStyles {
     std::string name() const;
   };
 
-  std::vector<Entry> entries_;
+  std::vector<StyleReport> reports_;
 };
 
 /// A style that judges its contacts before the first step of a run, and when that may no longer
@@ -49,12 +49,12 @@ class AdvisedStyle {
 };
 
 /// What the time-step check asks of a run of LAMMPS.
-struct RunOfEngine {
+struct LammpsRun {
   static void scan_particles(LAMMPS*, RunConditions& now);
   static bool may_crowd(LAMMPS*);
   static double gravity(LAMMPS*);
 };
-using RunWatch = ContactWatch<RunOfEngine>;
+using LammpsWatch = ContactWatch<LammpsRun>;
 
 /// `now` as far as the particles of a group go, of which some may be still to come. All ranks call
 /// it.
@@ -68,13 +68,13 @@ AdvisedContact advised_contact(const std::string& name, const LightestParticle& 
 
 /// The table of numbers that decide whether the run can be right, a warning where one says that it
 /// will not be, and why it must not begin where one says that it must blow up
-/// (advice/contact_report.h); of what `given_advice` holds only what is new. Without the name of
+/// (advice/contact_report.h); of what `advice_filter` holds only what is new. Without the name of
 /// the style in front, which is `where` in errors.
 cohesion::advice::Report advice_of_contacts(LAMMPS*, const std::string& where,
                                             const cohesion::advice::SchemeLimits&,
                                             const std::vector<AdvisedContact>&,
                                             const RunConditions&,
-                                            cohesion::advice::WarningFilter& given_advice);
+                                            cohesion::advice::WarningFilter& advice_filter);
 
 /// The same of an attraction alone, laid over the contacts of another style. `remedy`: what else
 /// than a smaller step helps.
@@ -82,7 +82,7 @@ cohesion::advice::Report advice_of_attraction(LAMMPS*, const std::string& where,
                                               std::string_view remedy,
                                               const std::vector<AdvisedContact>&,
                                               const RunConditions&,
-                                              cohesion::advice::WarningFilter& given_advice);
+                                              cohesion::advice::WarningFilter& advice_filter);
 
 }  // namespace LAMMPS_NS
 

@@ -26,12 +26,11 @@ using cohesion::Vector3;
 
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg),
+    : FixWithWallHistory(lammps, narg, arg),
       where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
       scheme(Scheme::exact),
       law(attraction.no_law()),
       per_wall(HistorySize::normal_only),
-      history(lammps),
       sizes(),
       travelled(0.0),
       step(nullptr) {
@@ -71,7 +70,7 @@ void FixWallGranCohesive<Cohesion>::post_constructor() {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   std::vector<char*> contact_words;
-  GivenKeywords given(lmp, where);
+  SpecifiedKeywords given(lmp, where);
   WallsFromScript from_words(lmp, where);
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
@@ -108,7 +107,7 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
                           ": rolling_friction does not know how fast a cylinder turns, and would "
                           "resist what rolls along with it: take it away, or shear along z only");
   require_computable(lmp, where, scheme, parameters.contact);
-  given_parameters = parameters;
+  unscaled_parameters = parameters;
   parameters = attraction.scaled(lmp, where, parameters);
   law = attraction.law(lmp, where, parameters);
   if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();
@@ -133,7 +132,7 @@ void FixWallGranCohesive<Cohesion>::init() {
   require_plausible_spheres(lmp, where);
   const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
   for (int type = 1; type <= atom->ntypes; type++)
-    attraction.require_short(lmp, where, given_parameters, smallest[type],
+    attraction.require_short(lmp, where, unscaled_parameters, smallest[type],
                              std::numeric_limits<double>::infinity());
   sizes = {};  // not known: particles may have come since the last run
   const StepWindow next{0.0, 0.5 * update->dt};
@@ -171,7 +170,8 @@ template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::give_advice(const RunConditions& of_all, AdviceOfStyles& all) {
   const RunConditions now = of_group(lmp, of_all, groupbit);
   const auto advised = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
-  all.add(style, id, advice_of_contacts(lmp, where, limits_of(scheme), advised, now, given_advice));
+  all.add(style, id,
+          advice_of_contacts(lmp, where, limits_of(scheme), advised, now, advice_filter));
 }
 
 template <class Cohesion>

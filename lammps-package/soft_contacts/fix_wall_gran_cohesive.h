@@ -25,7 +25,9 @@ namespace LAMMPS_NS {
 /// Walls with the contact law of PairGranCohesive; a wall is a partner of infinite mass and radius.
 /// `Cohesion`: as there.
 template <class Cohesion>
-class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedStyle {
+class FixWallGranCohesive : public FixWithWallHistory,
+                            public SoftContactStyle,
+                            public AdvisedStyle {
  public:
   FixWallGranCohesive(class LAMMPS*, int, char**);
   ~FixWallGranCohesive() override;
@@ -45,18 +47,8 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   double compute_vector(int) override;
   double compute_array(int, int) override;
 
-  void grow_arrays(int nmax) override { history.grow(nmax); }
-  void copy_arrays(int i, int j, int) override { history.copy(i, j); }
-  void set_arrays(int i) override { history.begin(i); }
-  int pack_exchange(int i, double* buf) override { return history.pack(i, buf); }
-  int unpack_exchange(int i, double* buf) override { return history.unpack(i, buf); }
   void write_restart(FILE*) override;
   void restart(char*) override;
-  int pack_restart(int i, double* buf) override { return history.pack_restart(i, buf); }
-  void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
-  int maxsize_restart() override { return history.size_restart(); }
-  int size_restart(int) override { return history.size_restart(); }
-  double memory_usage() override { return history.bytes(); }
 
  private:
   using ExactContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
@@ -109,11 +101,11 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   }
 
   std::string where;  // in front of messages
-  cohesion::advice::WarningFilter given_advice;
+  cohesion::advice::WarningFilter advice_filter;
   Scheme scheme;
   bool has_adhesion_word = false;
   Cohesion attraction;
-  typename Cohesion::Parameters given_parameters;
+  typename Cohesion::Parameters unscaled_parameters;
   typename Cohesion::Parameters parameters;  // with scaled adhesion, if the script requests it
   typename Cohesion::Law law;
   std::vector<Wall> walls;
@@ -121,7 +113,6 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   cohesion::contact_solver::WallCourse course;
 
   int per_wall;  // values per history (HistorySize)
-  WallHistory history;
   AnyContacts contacts;
   /// Of the particles at the last rebuild of the neighbour list.
   struct Sizes {

@@ -7,7 +7,7 @@
 using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;
 
-static cohesion::hamaker::Parameters& hamaker_of(Parameters& p) { return p.hamaker; }
+static cohesion::hamaker::HamakerParameters& hamaker_of(Parameters& p) { return p.hamaker; }
 static cohesion::advice::Material& material_of(Parameters& p) { return p.material; }
 
 std::vector<ContactKeyword<Parameters>> HamakerCohesion::keywords() {
@@ -18,7 +18,7 @@ std::vector<ContactKeyword<Parameters>> HamakerCohesion::keywords() {
 }
 
 void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                                    const GivenKeywords& given) {
+                                    const SpecifiedKeywords& given) {
   if (p.hamaker.hamaker_constant != 0.0 && !given.has("cutoff"))
     lmp->error->all(FLERR,
                     where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
@@ -54,7 +54,7 @@ const char* HamakerCohesion::material_words(const cohesion::contact::ContactPara
 
 Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
   namespace advice = cohesion::advice;
-  const cohesion::hamaker::Parameters real = p.hamaker;
+  const cohesion::hamaker::HamakerParameters real = p.hamaker;
   const double stiffness = advice::stiffness_of(p.contact);
   const bool scales = real.hamaker_constant > 0.0 && advice::is_scaled(p.material, stiffness);
   if (scales && (form_->name != "small_gap" || real.asperity_radius > 0.0))

@@ -20,7 +20,7 @@ namespace LAMMPS_NS {
 
 /// Hamaker attraction as gran/hamaker and wall/gran/hamaker take it. The object holds the style's
 /// settings: the form.
-class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
+class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters> {
  public:
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr char ADHESION[] = "hamaker", WITHOUT_ADHESION[] = "hamaker 0";
@@ -28,19 +28,20 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   static constexpr int RESTART_LAYOUT = 9;
   static constexpr bool BINDS_IN_RANGE = true;
 
-  /// What a script says about the contact of two materials.
-  struct Parameters {
+  /// Coefficients of the contact of two materials.
+  struct HamakerContact {
     cohesion::contact::ContactParameters contact;
-    cohesion::hamaker::Parameters hamaker = cohesion::hamaker::none;
+    cohesion::hamaker::HamakerParameters hamaker = cohesion::hamaker::none;
     cohesion::advice::Material material;
   };
+  using Parameters = HamakerContact;
   using Law = cohesion::hamaker::AnyLaw;
   using Solver = cohesion::contact_solver::ContactSolver;
   using Sampled = cohesion::sampled_contact::SampledHamaker;
 
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
-                            const GivenKeywords& given);
+                            const SpecifiedKeywords& given);
   /// With advice::mixed, and throws as that.
   static Parameters mixed(const Parameters&, const Parameters&);
   static double range(Scheme, const Parameters&, double radius_i, double radius_j);

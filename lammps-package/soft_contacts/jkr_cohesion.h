@@ -29,9 +29,10 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
   /// Never used: scheme sampled has linear springs only.
   using Sampled = cohesion::sampled_contact::SampledBridge;
 
-  struct Law {
+  struct JkrLaw {
     double work_of_adhesion;
   };
+  using Law = JkrLaw;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
     auto rows = material_keywords<Parameters, &material_of>(false);
@@ -41,7 +42,7 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
     return rows;
   }
   static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                            const GivenKeywords& given) {
+                            const SpecifiedKeywords& given) {
     if (!given.has("normal") || !given.has("surface_energy"))
       lmp->error->all(FLERR, where + ": needs 'normal hertz E nu' and 'surface_energy gamma'");
     require_material(lmp, where, p.contact, given);

@@ -16,7 +16,7 @@
 namespace LAMMPS_NS {
 
 /// A liquid bridge as gran/liquidbridge and wall/gran/liquidbridge take it.
-class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Parameters> {
+class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::LiquidBridgeParameters> {
  public:
   static constexpr char STYLE[] = "gran/liquidbridge";
   static constexpr char ADHESION[] = "bridge", WITHOUT_ADHESION[] = "bridge 0 0";
@@ -32,7 +32,7 @@ class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Paramet
              }}};
   }
   static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                            const GivenKeywords& given) {
+                            const SpecifiedKeywords& given) {
     if (given.has("bridge") && given.has("capillary"))
       lmp->error->all(FLERR, where +
                                  ": a bridge is given either by its force ('bridge') or by its "

@@ -76,15 +76,16 @@ void PairGranCohesive<Cohesion>::coeff(int narg, char** arg) {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
+    error->all(FLERR,
+               coefficients.message_prefix() + " acts between spheres; use 'atom_style sphere'");
   step = FixContactStep::of(lmp);
   // pair_style hybrid of several versions of the engine copies these numbers beyond their end.
   if (force->pair == this && single_extra == 0) {
     svector = new double[SINGLE_EXTRA];
     single_extra = SINGLE_EXTRA;
   }
-  require_plausible_spheres(lmp, coefficients.where());
-  require_whole_special_factors(lmp, this, coefficients.where(), true);
+  require_plausible_spheres(lmp, coefficients.message_prefix());
+  require_whole_special_factors(lmp, this, coefficients.message_prefix(), true);
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);
   coefficients.start();
@@ -93,7 +94,7 @@ void PairGranCohesive<Cohesion>::init_style() {
     any_contacts.template emplace<static_cast<int>(Scheme::exact)>();
   else
     any_contacts.template emplace<static_cast<int>(Scheme::sampled)>();
-  std::visit([this](auto& contacts) { contacts.last.resize(coefficients.pairs_of_types()); },
+  std::visit([this](auto& contacts) { contacts.last.resize(coefficients.type_pairs()); },
              any_contacts);
   friction = false;
   largest_range = 0.0;
@@ -109,7 +110,7 @@ void PairGranCohesive<Cohesion>::init_style() {
   if (per_pair == 0) per_pair = needed;
   if (per_pair < needed)
     error->all(FLERR,
-               coefficients.where() +
+               coefficients.message_prefix() +
                    ": rolling_friction cannot begin here: the contacts of the run before, or "
                    "of the restart file, remember no rolling; give it from the first run on");
   history.init(this, per_pair);
@@ -138,10 +139,11 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
   // Pairs are bound up to this range, and a load may carry one this far before it leaves.
   if (Cohesion::BINDS_IN_RANGE)
-    range = std::max(range, coefficients.range_of_attraction(coefficients.of_types(i, j)));
+    range = std::max(range, coefficients.range_of_attraction(coefficients.pair_index(i, j)));
   coefficients.require_short(i, j, smallest_radius[i], smallest_radius[j]);
-  require_plausible_range(lmp, coefficients.where(), largest_radius[i] + largest_radius[j] + range);
-  const auto& contact = coefficients.contact(coefficients.of_types(i, j));
+  require_plausible_range(lmp, coefficients.message_prefix(),
+                          largest_radius[i] + largest_radius[j] + range);
+  const auto& contact = coefficients.contact(coefficients.pair_index(i, j));
   friction = friction || contact.friction > 0.0;
   if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
@@ -152,11 +154,11 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::give_advice(const RunConditions& now, AdviceOfStyles& all) {
   if (!Cohesion::HAS_CONTACT) return;
-  const std::string where = coefficients.where();
+  const std::string where = coefficients.message_prefix();
   const auto contacts = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
   all.add(where, "",
           advice_of_contacts(lmp, where, limits_of(coefficients.scheme()), contacts, now,
-                             given_advice));
+                             advice_filter));
 }
 
 /// The contacts between particles of the types of this style.
@@ -169,7 +171,7 @@ std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
       const LightestParticle &a = lightest[i], &b = lightest[j];
       if (!coefficients.has(i, j)) continue;
       if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
-      const int types = coefficients.of_types(i, j);
+      const int types = coefficients.pair_index(i, j);
       contacts.push_back(
           advised_contact(fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
                           coefficients.template attraction<cohesion::contact::Adhesion>(

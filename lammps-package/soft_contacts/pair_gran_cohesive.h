@@ -113,7 +113,7 @@ class PairGranCohesive : public Pair,
   template <class Contact>
   int contact(Contacts<Contact>&, const StaggeredParticles&, int i, int j);
   template <class Contact>
-  int new_contact(Contacts<Contact>&, int of_types, int i, int j);
+  int new_contact(Contacts<Contact>&, int pair_index, int i, int j);
   StaggeredParticles particles() const;
   double distance(int i, int j) const;
   bool moves(int i, int j) const;
@@ -146,7 +146,7 @@ class PairGranCohesive : public Pair,
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
-  cohesion::advice::WarningFilter given_advice;
+  cohesion::advice::WarningFilter advice_filter;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   ClosePairs close_pairs;                               // pairs that may touch in a step
@@ -172,7 +172,7 @@ template <class Cohesion>
 template <class Contact>
 [[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
     Contacts<Contact>& contacts, const StaggeredParticles& particles, int i, int j) {
-  const int types = coefficients.of_types(particles.type[i], particles.type[j]);
+  const int types = coefficients.pair_index(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
   if (last != Contacts<Contact>::NONE &&
       contacts.all[last].is_between(particles.bodies[i], particles.bodies[j]))
@@ -183,14 +183,15 @@ template <class Contact>
 template <class Cohesion>
 template <class Contact>
 [[gnu::noinline]] int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts,
-                                                              int of_types, int i, int j) {
+                                                              int pair_index, int i, int j) {
   if (!moves(i, j)) return Contacts<Contact>::NONE;
   const cohesion::contact_solver::Body a = step->body(i), b = step->body(j);
-  contacts.all.push_back(step->contact<Contact>(
-      coefficients.contact(of_types),
-      coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),
-      a, b));
-  return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
+  contacts.all.push_back(
+      step->contact<Contact>(coefficients.contact(pair_index),
+                             coefficients.template attraction<typename Contact::Attraction>(
+                                 pair_index, a.radius, b.radius),
+                             a, b));
+  return contacts.last[pair_index] = static_cast<int>(contacts.all.size()) - 1;
 }
 
 template <class Cohesion>

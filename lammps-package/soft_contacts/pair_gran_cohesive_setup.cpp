@@ -50,8 +50,8 @@ bool PairGranCohesive<Cohesion>::is_altered(int i, int j) const {
   const AlteredParticles& altered = step->altered_particles();
   return coefficients.has_other_ranges() || altered.has_other_gap(i, j) ||
          coefficients.have_other_ranges(
-             coefficients.of_types(atom->type[i], atom->type[j]),
-             coefficients.of_types(altered.type_before(i), altered.type_before(j)));
+             coefficients.pair_index(atom->type[i], atom->type[j]),
+             coefficients.pair_index(altered.type_before(i), altered.type_before(j)));
 }
 
 /// Decides by their distance which pairs are in range if their histories do not determine it: pairs
@@ -84,7 +84,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::require_distinct_places() const {
-  LAMMPS_NS::require_distinct_places(lmp, coefficients.where(), list,
+  LAMMPS_NS::require_distinct_places(lmp, coefficients.message_prefix(), list,
                                      [this](int i, int j) { return moves(i, j); });
 }
 
@@ -192,7 +192,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   for_each_listed([&](int i, int j, int has_history, const double* values) {
     bool bound;
     if constexpr (Cohesion::BINDS_IN_RANGE) {
-      const int types = coefficients.of_types(atom->type[i], atom->type[j]);
+      const int types = coefficients.pair_index(atom->type[i], atom->type[j]);
       const double range = coefficients.range_of_attraction(types);
       bound =
           range > 0.0 && moves(i, j) && distance(i, j) < atom->radius[i] + atom->radius[j] + range;

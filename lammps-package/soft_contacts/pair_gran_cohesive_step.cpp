@@ -25,7 +25,8 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   coefficients.require_committed();
   if (update->whichflag == 2)
-    error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
+    error->all(FLERR,
+               coefficients.message_prefix() + " follows motion in time; it cannot be minimized");
   if (!is_active) {
     history_stale = true;
     return;
@@ -44,7 +45,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
-  guarded(lmp, coefficients.where(), [&] {
+  guarded(lmp, coefficients.message_prefix(), [&] {
     std::visit(
         [&](auto& contacts) {
           if (per_pair == HistorySize::with_rolling)
@@ -61,7 +62,7 @@ void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::begin_step() {
   if (history_stale) forget_all();
-  if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
+  if (neighbor->ago == 0) check_radii(lmp, coefficients.message_prefix(), largest_radius);
   if (step->starts()) require_distinct_places();
   find_close();
 }
@@ -95,7 +96,7 @@ void PairGranCohesive<Cohesion>::stop_at_flight(double flight, double allowed) {
   error->one(FLERR,
              "{}: particles fly up to {} in half a step and could miss a contact, the neighbour "
              "list allows for {}: use a smaller time step or a skin above {}. The fastest: {}",
-             coefficients.where(), flight, allowed, neighbor->skin * flight / allowed,
+             coefficients.message_prefix(), flight, allowed, neighbor->skin * flight / allowed,
              report_fastest(lmp));
 }
 
@@ -109,7 +110,7 @@ void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
         FLERR,
         "{}: particles fly up to {} in half a step, above 70 % of the {} at which the run "
         "stops, since they could miss a contact: use a smaller time step or a skin above {}",
-        coefficients.where(), flight, allowed, neighbor->skin * flight / (0.7 * allowed));
+        coefficients.message_prefix(), flight, allowed, neighbor->skin * flight / (0.7 * allowed));
 }
 
 template <class Cohesion>

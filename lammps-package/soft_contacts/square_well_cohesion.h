@@ -14,7 +14,7 @@
 namespace LAMMPS_NS {
 
 /// A square well as gran/squarewell and wall/gran/squarewell take it.
-class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters> {
+class SquareWellCohesion : public CohesionLaw<cohesion::square_well::SquareWellParameters> {
  public:
   static constexpr char STYLE[] = "gran/squarewell";
   static constexpr char ADHESION[] = "well", WITHOUT_ADHESION[] = "well 0 1";
@@ -48,7 +48,7 @@ class SquareWellOverlay : public SquareWellCohesion {
                                 char** arg) {
     WordsOfLaw words(lmp, where, first, narg, arg, {{"well", 2}});
     Parameters p;
-    GivenKeywords given(lmp, where);
+    SpecifiedKeywords given(lmp, where);
     p.contact.stiffness = 1.0;  // of no contact, any above 0
     read_keywords(lmp, where, keywords(), 0, words.count(), words.get(), p, given);
     if (!given.has("well")) lmp->error->all(FLERR, where + " takes 'well D ratio'");

@@ -2,8 +2,10 @@
 #ifndef COHESION_WALL_HISTORY_H
 #define COHESION_WALL_HISTORY_H
 
+#include "atom.h"
 #include "contact_solver/wall.h"
 #include "engine/atom_numbers.h"
+#include "fix.h"
 
 namespace LAMMPS_NS {
 
@@ -43,6 +45,27 @@ class WallHistory : public AtomNumbers {
  private:
   int walls_ = 0;
   int per_wall_ = 0;
+};
+
+/// A fix that stores a WallHistory: the engine's callbacks for its data per particle.
+class FixWithWallHistory : public Fix {
+ public:
+  void grow_arrays(int nmax) override { history.grow(nmax); }
+  void copy_arrays(int i, int j, int) override { history.copy(i, j); }
+  void set_arrays(int i) override { history.begin(i); }
+  int pack_exchange(int i, double* buf) override { return history.pack(i, buf); }
+  int unpack_exchange(int i, double* buf) override { return history.unpack(i, buf); }
+  int pack_restart(int i, double* buf) override { return history.pack_restart(i, buf); }
+  void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
+  int maxsize_restart() override { return history.size_restart(); }
+  int size_restart(int) override { return history.size_restart(); }
+  double memory_usage() override { return history.bytes(); }
+
+ protected:
+  FixWithWallHistory(LAMMPS* lammps, int narg, char** arg)
+      : Fix(lammps, narg, arg), history(lammps) {}
+
+  WallHistory history;
 };
 
 }  // namespace LAMMPS_NS

@@ -67,7 +67,7 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         const scalar slip = mag(gasAt_.velocity()[i] - velocity[i]);
         const scalar radius = particles.radius[i];
         const scalar mass = particles.mass[i];
-        const particleDrag::Sphere sphere{voidFraction, slip, radius, rho[i], mass};
+        const particleDrag::DragConditions sphere{voidFraction, slip, radius, rho[i], mass};
         auto [b, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
         if (bound_.on())
         {
@@ -97,13 +97,13 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
 }
 
 
-void Foam::gasParticleCoupling::setLiquid(const label i, const particleDrag::Sphere& sphere, const scalar b)
+void Foam::gasParticleCoupling::setLiquid(const label i, const particleDrag::DragConditions& sphere, const scalar b)
 {
     const scalar added = liquid_.addedMass(sphere.rho, sphere_volume(sphere.radius));
     const scalar inertia =
         liquid::source_inertia(b, sphere.mass, added, mesh_.time().deltaTValue(), response_.free);
     // Quadratic drag is given per slip, and follows it in each step of the particles.
-    particleDrag::Sphere unitSlip(sphere);
+    particleDrag::DragConditions unitSlip(sphere);
     unitSlip.slip = 1;
     const bool quadratic = liquid_.quadratic();
     liquid_.set(i, drag_, sphere, quadratic ? drag_(unitSlip, form_).coefficient : 0, inertia);

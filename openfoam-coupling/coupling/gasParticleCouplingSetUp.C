@@ -207,10 +207,10 @@ coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word
     settings.folder = mesh_.time().globalPath();
     // Engines may end the process with an error once they have shown it.
     settings.on_message =
-        [show = engineMessages(name), &kept = kept_](const coupling::Severity severity, const std::string& text)
+        [show = engineMessages(name), &kept = kept_](const coupling::MessageLevel level, const std::string& text)
     {
-        show(severity, text);
-        if (severity == coupling::Severity::error)
+        show(level, text);
+        if (level == coupling::MessageLevel::error)
         {
             kept.release();
         }

@@ -26,7 +26,7 @@ struct DemEngineError : std::runtime_error {
 
 /// The kinds of messages that an engine has while it works. A note tells how far it is; the others
 /// are in its own words.
-enum class Severity { note, warning, error };
+enum class MessageLevel { note, warning, error };
 
 struct DemEngineSettings {
   MPI_Comm communicator;                         ///< every rank of it takes part
@@ -36,7 +36,7 @@ struct DemEngineSettings {
   std::string restart;                           ///< state to continue from; empty: none
   std::map<std::string, std::string> variables;  ///< given to the script by name
   /// Called on the rank that has a message, while the engine works; never twice at a time.
-  std::function<void(Severity, const std::string&)> on_message;
+  std::function<void(MessageLevel, const std::string&)> on_message;
 };
 
 /// An engine that has run its script and stands ready to advance. All arrays belong to the engine,
@@ -58,7 +58,7 @@ class DemEngine {
     std::array<double, 3> pressure;
   };
 
-  struct Box {
+  struct SimulationBox {
     std::array<double, 3> low;
     std::array<double, 3> high;
     std::array<bool, 3> periodic;  ///< what leaves it comes back on the other side, now and then
@@ -107,7 +107,7 @@ class DemEngine {
 
   virtual double time_step() = 0;
   virtual std::string units() = 0;
-  virtual Box box() = 0;
+  virtual SimulationBox box() = 0;
 
   /// Writes the state as it is, to continue from, and changes nothing of it: what follows is as if
   /// it had not been written. A run that continues from it computes the forces anew, as it would

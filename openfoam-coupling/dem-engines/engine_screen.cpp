@@ -47,7 +47,7 @@ void EngineScreen::read(std::string_view printed) {
   const std::string text(message_in(printed));
   if (begins(text, error_word)) {
     has_shown_error_ = true;
-    on_message_(Severity::error, text);
+    on_message_(MessageLevel::error, text);
   } else if (!text.empty()) {
     warn(text);
   }
@@ -55,10 +55,11 @@ void EngineScreen::read(std::string_view printed) {
 
 void EngineScreen::warn(const std::string& text) {
   if (warnings_.size() > most_warnings || !warnings_.insert(text).second) return;
-  on_message_(Severity::warning, warnings_.size() <= most_warnings
-                                     ? text
-                                     : "more than " + std::to_string(most_warnings) +
-                                           " different warnings; the others are in its log alone");
+  on_message_(MessageLevel::warning,
+              warnings_.size() <= most_warnings
+                  ? text
+                  : "more than " + std::to_string(most_warnings) +
+                        " different warnings; the others are in its log alone");
 }
 
 }  // namespace cohesion::coupling

@@ -16,7 +16,7 @@ namespace cohesion::coupling {
 /// is in the engine's log.
 class EngineScreen {
  public:
-  using OnMessage = std::function<void(Severity, const std::string&)>;
+  using OnMessage = std::function<void(MessageLevel, const std::string&)>;
 
   explicit EngineScreen(OnMessage on_message);
 

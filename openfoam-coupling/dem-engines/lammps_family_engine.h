@@ -53,9 +53,9 @@ class LammpsFamilyEngine : public DemEngine {
         log_(settings.log),
         folder_(settings.folder),
         on_message_(
-            [this, on_message = settings.on_message](Severity severity, const std::string& text) {
+            [this, on_message = settings.on_message](MessageLevel level, const std::string& text) {
               const std::lock_guard lock(messages_);
-              on_message(severity, text);
+              on_message(level, text);
             }),
         screen_(on_message_) {
     MPI_Comm_rank(communicator_, &rank_);
@@ -146,7 +146,7 @@ class LammpsFamilyEngine : public DemEngine {
   double time_step() override { return lammps_->update->dt; }
   std::string units() override { return lammps_->update->unit_style; }
 
-  Box box() override {
+  SimulationBox box() override {
     const auto* domain = lammps_->domain;
     // In two dimensions nothing leaves along z, which the engine calls periodic.
     return {{domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]},
@@ -177,7 +177,7 @@ class LammpsFamilyEngine : public DemEngine {
     if (rank_ == 0)
       watch = std::make_unique<RunWatch>([this] { return steps_of_run(); },
                                          [this, script](const std::string& how_far) {
-                                           on_message_(Severity::note, script + ": " + how_far);
+                                           on_message_(MessageLevel::note, script + ": " + how_far);
                                          });
     lammps_->input->file(script.c_str());
   }
@@ -228,7 +228,7 @@ class LammpsFamilyEngine : public DemEngine {
   static void end_of_process() {
     if (!at_work_) return;
     if (at_work_->rank_ == 0)
-      at_work_->on_message_(Severity::error,
+      at_work_->on_message_(MessageLevel::error,
                             at_work_->end_text(at_work_->screen_.has_shown_error()));
     std::fflush(nullptr);
     // With the first rank that fails a launcher ends all: let it be the one that has the message.

@@ -98,7 +98,7 @@ void Foam::kineticTheoryModels::squareWellPressure::report
     FixedList<scalar, 3> grains(Zero);
     forAll(alpha1, i)
     {
-        const SquareWellGas::Ratio found = gas_.ratio(alpha1[i], Theta[i]);
+        const SquareWellGas::PressureRatio found = gas_.ratio(alpha1[i], Theta[i]);
         const FixedList<bool, 3> counted{true, found.too_cold, found.too_dense};
         forAll(counted, kind)
         {

@@ -188,9 +188,9 @@ inline void add_softness(Report& report, const std::string& style,
   for (const AdvisedContact& c : contacts) {
     if (!c.moves() || c.adhesion.force == 0.0) continue;
     // JKR's spring and adhesion are one, which no numbers of the contact tell apart.
-    if (!c.material.is_given() && !c.springs.jkr && softness_decides(numbers(c, run)))
+    if (!c.material.is_specified() && !c.springs.jkr && softness_decides(numbers(c, run)))
       add(soft, softness_advice(c.material_words), c.name);
-    if (c.material.is_given() && !is_of_material(c.material, stiffness_of(c.springs)))
+    if (c.material.is_specified() && !is_of_material(c.material, stiffness_of(c.springs)))
       add(scaled, over_material_sentence(c, run), c.name);
   }
   for (const SharedNote& note : scaled)

@@ -42,7 +42,7 @@ struct Material {
   Keep keep = Keep::escape_velocity;
   double exponent = linear_power;  ///< p, [1]
 
-  bool is_given() const { return stiffness > 0.0; }
+  bool is_specified() const { return stiffness > 0.0; }
 };
 
 /// The material of Hertz's or JKR's contact, of which two have E* (contact::reduced_modulus).
@@ -61,7 +61,7 @@ inline void require_valid(const Material& m) {
 /// stiffnesses, the harmonic one of the moduli; given where both are.
 /// Throws InvalidParameter where they keep different things.
 inline Material mixed(const Material& a, const Material& b) {
-  if (!a.is_given() || !b.is_given()) return {};
+  if (!a.is_specified() || !b.is_specified()) return {};
   if (a.keep != b.keep)
     throw InvalidParameter(
         "one of the two materials keeps the escape velocity, the other the force, and no mean of "
@@ -134,7 +134,7 @@ class StiffnessScaling {
 
   /// For the small-gap form. Throws InvalidParameter as require_valid does, for rough surfaces, and
   /// unless H_out leaves room for the wider cut-off.
-  hamaker::Parameters hamaker(const hamaker::Parameters& real) const {
+  hamaker::HamakerParameters hamaker(const hamaker::HamakerParameters& real) const {
     require_valid(real);
     require_smooth(real);
     const double k = real.surface_cutoff / real.outer_cutoff;
@@ -159,7 +159,7 @@ inline bool is_of_material(const Material& material, double stiffness) {
 /// Throws InvalidParameter where the contact is stiffer than the material that it stands for: a
 /// number in another unit, most often.
 inline void require_softer(const Material& material, double stiffness) {
-  if (!material.is_given() || stiffness <= material.stiffness ||
+  if (!material.is_specified() || stiffness <= material.stiffness ||
       is_of_material(material, stiffness))
     return;
   std::ostringstream text;
@@ -171,14 +171,14 @@ inline void require_softer(const Material& material, double stiffness) {
 
 /// Whether a contact of `stiffness`, as stiffness_of(), needs another adhesion than its material.
 inline bool is_scaled(const Material& material, double stiffness) {
-  return material.is_given() && material.keep == Keep::escape_velocity &&
+  return material.is_specified() && material.keep == Keep::escape_velocity &&
          !is_of_material(material, stiffness);
 }
 
 /// The Hamaker attraction of a contact of `stiffness` from that of its material.
 /// Throws InvalidParameter as StiffnessScaling and require_softer.
-inline hamaker::Parameters for_stiffness(double stiffness, const Material& material,
-                                         const hamaker::Parameters& real) {
+inline hamaker::HamakerParameters for_stiffness(double stiffness, const Material& material,
+                                                const hamaker::HamakerParameters& real) {
   require_softer(material, stiffness);
   if (real.hamaker_constant == 0.0 || !is_scaled(material, stiffness)) return real;
   return StiffnessScaling(material, stiffness).hamaker(real);
@@ -201,7 +201,7 @@ namespace detail {
 /// scaling_note(), with the numbers of the adhesion.
 inline std::string scaling_note(double stiffness, const Material& material,
                                 const std::string& numbers) {
-  if (!material.is_given() || is_of_material(material, stiffness)) return {};
+  if (!material.is_specified() || is_of_material(material, stiffness)) return {};
   const std::string name = name_of_stiffness(material);
   std::ostringstream out;
   if (is_scaled(material, stiffness))
@@ -218,7 +218,8 @@ inline std::string scaling_note(double stiffness, const Material& material,
 /// What for_stiffness() changed, or left on purpose, for a log; empty where the question does not
 /// arise.
 inline std::string scaling_note(double stiffness, const Material& material,
-                                const hamaker::Parameters& real, const hamaker::Parameters& used) {
+                                const hamaker::HamakerParameters& real,
+                                const hamaker::HamakerParameters& used) {
   if (real.hamaker_constant == 0.0) return {};
   std::ostringstream numbers;
   numbers << "A " << real.hamaker_constant << " -> " << used.hamaker_constant << ", H_cut "

@@ -45,10 +45,10 @@ inline bool is_soft(const Softening& s) { return std::abs(s.factor() - 1.0) > sa
 /// Whether both are softened alike, as far as their materials are given. What they keep of these
 /// may differ: a wall on which particles rest, and pairs that collide.
 inline bool alike(const Softening& a, const Softening& b) {
-  if (a.material.is_given() && b.material.is_given())
+  if (a.material.is_specified() && b.material.is_specified())
     return std::abs(a.factor() / b.factor() - 1.0) <= same_factor;
-  const Softening& given = a.material.is_given() ? a : b;
-  return !given.material.is_given() || given.material.keep == Keep::force || !is_soft(given);
+  const Softening& given = a.material.is_specified() ? a : b;
+  return !given.material.is_specified() || given.material.keep == Keep::force || !is_soft(given);
 }
 
 inline std::string numbers(const Softening& s) {
@@ -130,8 +130,8 @@ inline std::string other_softening(const StickingRules& wall,
                     [&](const Softening& theirs) { return detail::alike(mine, theirs); }))
       continue;
     const Softening& theirs = of_pairs.front();
-    if (!mine.material.is_given() || !theirs.material.is_given()) {
-      const bool of_wall = mine.material.is_given();
+    if (!mine.material.is_specified() || !theirs.material.is_specified()) {
+      const bool of_wall = mine.material.is_specified();
       const Softening& given = of_wall ? mine : theirs;
       const StickingRules &has = of_wall ? wall : *first, &lacks = of_wall ? *first : wall;
       return has.name + " has " + detail::numbers(given) +

@@ -41,13 +41,13 @@ class WarningFilter {
       return report;
     }
     for (const AdvisedContact& c : contacts)
-      if (c.moves()) known_[c.name] = known_of(c, now.run);
+      if (c.moves()) printed_[c.name] = printed_contact(c, now.run);
     return report;
   }
 
  private:
   /// Of a contact, when the table was last printed.
-  struct Known {
+  struct PrintedContact {
     double speed;
     double dt;
     std::vector<double> sizes;    ///< radii and masses
@@ -61,9 +61,9 @@ class WarningFilter {
     std::set<std::string> changed;
     for (const AdvisedContact& c : contacts) {
       if (!c.moves()) continue;
-      const auto known = known_.find(c.name);
-      if (known == known_.end() ||
-          (!now.within_run && differs(known->second, known_of(c, now.run))))
+      const auto known = printed_.find(c.name);
+      if (known == printed_.end() ||
+          (!now.within_run && differs(known->second, printed_contact(c, now.run))))
         changed.insert(c.name);
     }
     return changed;
@@ -88,7 +88,7 @@ class WarningFilter {
     return found;
   }
 
-  static Known known_of(const AdvisedContact& c, const RunNumbers& run) {
+  static PrintedContact printed_contact(const AdvisedContact& c, const RunNumbers& run) {
     // Springs that are not linear are given at an overlap that depends on the speed: F/x^p does
     // not.
     const double scale = std::pow(c.springs.overlap, 1.0 - c.springs.exponent);
@@ -103,7 +103,7 @@ class WarningFilter {
              run.gravity, run.shear}};
   }
 
-  static bool differs(const Known& before, const Known& after) {
+  static bool differs(const PrintedContact& before, const PrintedContact& after) {
     if (after.speed > faster * before.speed) return true;
     if (!grown(after.dt, before.dt, better)) return true;
     double growth = 1.0;
@@ -129,7 +129,7 @@ class WarningFilter {
     return a == b || std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b));
   }
 
-  std::map<std::string, Known> known_;
+  std::map<std::string, PrintedContact> printed_;
   std::map<std::pair<std::string, Subject>, std::string> warnings_;
 };
 

@@ -15,7 +15,7 @@ namespace cohesion::bubbles {
 /// box; where none fits the bubble stays as it is. The rule is one of the simplest, with no time
 /// scale of its own but that rest.
 inline std::optional<std::pair<Bubble, Bubble>> broken(const Bubble& whole, long new_number,
-                                                       const Box& box, double rests_until) {
+                                                       const BubbleBox& box, double rests_until) {
   constexpr double golden_angle = 2.399963229728653, gap = 0.1;
   constexpr int directions = 8;
   Bubble half = whole;

@@ -27,7 +27,7 @@ struct Bubble {
 inline double radius_of(double volume) { return std::cbrt(volume / (4.0 / 3.0 * pi)); }
 
 /// The box: `low` and `high` [length], and along which axes it is periodic.
-struct Box {
+struct BubbleBox {
   std::array<double, 3> low, high;
   std::array<bool, 3> periodic;
 

@@ -17,7 +17,7 @@ struct Merger {
 };
 
 /// The bubble that two are together; `box` for how far they are from each other.
-inline Bubble merged(const Bubble& into, const Bubble& gone, const Box& box) {
+inline Bubble merged(const Bubble& into, const Bubble& gone, const BubbleBox& box) {
   Bubble one = into;
   one.mass = into.mass + gone.mass;
   const double share = gone.mass / one.mass;
@@ -31,7 +31,7 @@ inline Bubble merged(const Bubble& into, const Bubble& gone, const Box& box) {
 /// Pairs of touching bubbles, smaller number first, in the order of both numbers: found by a sweep
 /// along z, of which only neighbours within the largest diameter are compared.
 inline std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Bubble>& bubbles,
-                                                                 const Box& box) {
+                                                                 const BubbleBox& box) {
   std::vector<std::size_t> by_height(bubbles.size());
   double widest = 0.0;
   for (std::size_t i = 0; i < bubbles.size(); i++) {
@@ -65,7 +65,7 @@ inline std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vect
 
 /// The mergers at a time: of touching pairs in the order of touching(), each bubble once, up to a
 /// joint diameter of `largest` [length]; bubbles that rest are left out.
-inline std::vector<Merger> mergers(const std::vector<Bubble>& bubbles, const Box& box,
+inline std::vector<Merger> mergers(const std::vector<Bubble>& bubbles, const BubbleBox& box,
                                    double largest, double time) {
   std::vector<Merger> found;
   std::vector<bool> taken(bubbles.size(), false);

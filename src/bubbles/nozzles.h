@@ -63,7 +63,7 @@ class Nozzles {
   }
 
   /// The volume of the bubble that nozzle k gives now, beside these, and has then given; 0: none.
-  double gives(std::size_t k, const std::vector<Bubble>& bubbles, const Box& box) {
+  double gives(std::size_t k, const std::vector<Bubble>& bubbles, const BubbleBox& box) {
     if (pending_[k] < volume_) return 0.0;
     const double radius = radius_of(volume_);
     double given = std::min(pending_[k], most());
@@ -88,8 +88,8 @@ class Nozzles {
   /// that it may merge with: one that does not rest at this time, up to a joint volume of
   /// `most_together` [length^3]. `gone`: those of the list that are not there any more.
   std::optional<Fed> feeds(std::size_t k, const std::vector<Bubble>& bubbles,
-                           const std::vector<bool>& gone, const Box& box, double most_together,
-                           double time) {
+                           const std::vector<bool>& gone, const BubbleBox& box,
+                           double most_together, double time) {
     if (pending_[k] < volume_) return std::nullopt;
     std::optional<Fed> found;
     double nearest = std::numeric_limits<double>::infinity();

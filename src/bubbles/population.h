@@ -25,7 +25,7 @@ struct Rules {
 };
 
 /// Sums since the beginning: numbers [1] and volumes [length^3].
-struct Totals {
+struct BubbleTotals {
   double injected = 0.0, injected_volume = 0.0;
   double removed = 0.0, removed_volume = 0.0;
   double merged = 0.0, broken = 0.0;
@@ -51,8 +51,8 @@ struct Events {
 /// their new halves.
 inline void nozzles_give(std::vector<Bubble>& bubbles, std::vector<Bubble>& present,
                          const std::vector<std::size_t>& place_of, const Rules& rules,
-                         const Box& box, Nozzles& nozzles, double time, long& next_number,
-                         Totals& totals, Events& events) {
+                         const BubbleBox& box, Nozzles& nozzles, double time, long& next_number,
+                         BubbleTotals& totals, Events& events) {
   const double most_together = sphere_volume(0.5 * rules.merge_up_to);
   for (std::size_t k = 0; k < nozzles.count(); k++) {
     const double volume = nozzles.gives(k, present, box);
@@ -81,8 +81,9 @@ inline void nozzles_give(std::vector<Bubble>& bubbles, std::vector<Bubble>& pres
 /// A round of events at a time, in this order: those above the top leave, touching ones merge,
 /// large ones break, nozzles give. `bubbles`, sorted by number, are changed in place; next_number
 /// is the first that none has had.
-inline Events round_of_events(std::vector<Bubble>& bubbles, const Rules& rules, const Box& box,
-                              Nozzles* nozzles, double time, long& next_number, Totals& totals) {
+inline Events round_of_events(std::vector<Bubble>& bubbles, const Rules& rules,
+                              const BubbleBox& box, Nozzles* nozzles, double time,
+                              long& next_number, BubbleTotals& totals) {
   Events events;
   events.gone.assign(bubbles.size(), false);
   events.changed.assign(bubbles.size(), false);

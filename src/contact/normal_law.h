@@ -11,7 +11,7 @@
 namespace cohesion::contact {
 
 /// Spring and dashpot along the normal of a contact, without adhesion. To add a law: its file, its
-/// alternative here, and what moves a contact under it (contact_solver/contact_motion.h).
+/// alternative here, and what moves a contact under it (contact_solver/normal_motion.h).
 using NormalLaw = std::variant<LinearSpringDashpot, HertzSpringDashpot, JkrSpringDashpot>;
 
 inline bool is_linear(const NormalLaw& law) {

@@ -35,12 +35,7 @@ struct ContactState {
   static constexpr int size = 8;
   void store(double* values) const {
     values[0] = phase;
-    values[1] = velocity_offset;
-    values[2] = last_rate;
-    values[3] = force;
-    values[4] = force_before;
-    values[5] = external_before;
-    values[6] = account;
+    store_persistent(values);
     values[7] = contact_time;
   }
   /// The same of a contact whose stored phase is persistent already.

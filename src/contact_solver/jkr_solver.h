@@ -21,8 +21,8 @@ class JkrSolver final : public ContactSolver {
   double adhesion_energy(double /*overlap*/) const override { return 0.0; }
 
  protected:
-  double move_in_range(Flight& now, double time, double external, bool& in_range, Course& course,
-                       NormalRecord& record) const override {
+  double move_in_range(Flight& now, double time, double external, bool& in_range,
+                       StepCourse& course, NormalRecord& record) const override {
     course.event = true;
     if (course.entered) record.dissipated -= touch_energy_;
     course.entered = false;

@@ -30,8 +30,8 @@ class LiquidBridgeSolver final : public ContactSolver {
   double adhesion_energy(double overlap) const override { return pull_.work(-overlap); }
 
  protected:
-  double move_in_range(Flight& now, double time, double external, bool& in_range, Course& course,
-                       NormalRecord& record) const override {
+  double move_in_range(Flight& now, double time, double external, bool& in_range,
+                       StepCourse& course, NormalRecord& record) const override {
     course.event = true;
     if (!course.touching) return span(now, time, external, in_range, course.touching, record);
     const double taken = advance_in_range(now, time, external, course.touching, record);

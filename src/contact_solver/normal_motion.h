@@ -3,12 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "contact/adhesion.h"
-#include "contact_solver/contact_motion.h"
+#include "contact/normal_law.h"
 #include "contact_solver/first_root.h"
+#include "contact_solver/integrated_contact.h"
+#include "contact_solver/linear_contact.h"
 
 namespace cohesion::contact_solver {
+
+/// Motion of a pair in contact, by its normal law: in closed form, or by integration.
+using ContactMotion = std::variant<LinearContact, IntegratedContact<contact::HertzSpringDashpot>,
+                                   IntegratedContact<contact::JkrSpringDashpot>>;
+
+/// attraction [force]: constant in contact; step [time].
+inline ContactMotion contact_motion(const contact::NormalLaw& law, double attraction, double step) {
+  if (const auto* linear = std::get_if<contact::LinearSpringDashpot>(&law))
+    return LinearContact(*linear, attraction, step);
+  if (const auto* hertz = std::get_if<contact::HertzSpringDashpot>(&law))
+    return IntegratedContact(*hertz, attraction, step);
+  return IntegratedContact(std::get<contact::JkrSpringDashpot>(law), attraction, step);
+}
 
 /// Whether a pair that a load presses against the edge of its range, with the acceleration
 /// `outward` [length/time^2], and that comes back from there at `speed` [length/time], is at the
@@ -19,7 +35,7 @@ inline bool bounces_too_fast(double speed, double outward, double step) {
 
 /// Exact motion of the surfaces of one pair along their common normal: free flight outside the
 /// range of the adhesion (the caller's business: it depends on the geometry), constant force in the
-/// gap, spring and dashpot with constant force in contact (contact_motion.h). x is the overlap,
+/// gap, spring and dashpot with constant force in contact. x is the overlap,
 /// negative in the gap.
 ///
 /// The tail is an edge of height E_tail: crossed inwards with a gain in speed, outwards with a

@@ -44,7 +44,7 @@ class PairCourse {
 
   /// Integrates everything that can happen to a pair in a step; whether anything did.
   bool move(Flight& now, double external, bool& in_range, NormalRecord& record) const {
-    Course course{!in_range && starts_in_range(now), now.distance < contact_distance_};
+    StepCourse course{!in_range && starts_in_range(now), now.distance < contact_distance_};
     in_range = in_range || course.event;
     course.entered = course.event;
     double left = step_;
@@ -63,7 +63,7 @@ class PairCourse {
   }
 
   /// What a step has brought so far.
-  struct Course {
+  struct StepCourse {
     bool event;  ///< whether anything but free flight
     /// Of a range that begins at touch: the pair is in contact, which rounding of its distance does
     /// not say where it has just touched or parted.
@@ -73,7 +73,7 @@ class PairCourse {
   /// Moves a pair in range for at most `time`, up to the next change of what acts on it. Returns
   /// the time it took.
   virtual double move_in_range(Flight& now, double time, double external, bool& in_range,
-                               Course& course, NormalRecord& record) const {
+                               StepCourse& course, NormalRecord& record) const {
     course.event = true;
     return advance_in_range(now, time, external, in_range, record);
   }

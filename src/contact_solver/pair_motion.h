@@ -45,7 +45,7 @@ struct StoredEnergies {
 };
 
 /// What a contact does to its particles: the impulse acts on j, its reverse on i.
-struct Action {
+struct PairImpulse {
   Vector3 impulse{};   ///< [momentum]
   Vector3 torque_i{};  ///< angular impulses, [momentum length]
   Vector3 torque_j{};
@@ -53,7 +53,7 @@ struct Action {
 
 /// What a contact does in a step.
 struct FrictionalStep {
-  Action action{};         ///< impulses and torques
+  PairImpulse action{};    ///< impulses and torques
   Vector3 friction{};      ///< impulse of sliding friction on j, [momentum]
   double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
   /// What of the impulse an edge gives, which the next step does not have, [momentum].

@@ -54,8 +54,8 @@ class SquareWellSolver : public ContactSolver {
     return flies ? ContactStep{} : ContactSolver::resolve(now, external, velocity_step, state);
   }
 
-  double move_in_range(Flight& now, double time, double external, bool& in_range, Course& course,
-                       NormalRecord& record) const override {
+  double move_in_range(Flight& now, double time, double external, bool& in_range,
+                       StepCourse& course, NormalRecord& record) const override {
     if (range() == 0.0)
       return ContactSolver::move_in_range(now, time, external, in_range, course, record);
     const double touch = time_to_touch(now, external), out = time_to_edge(now, external);

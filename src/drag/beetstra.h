@@ -31,8 +31,7 @@ namespace cohesion::drag {
 struct Beetstra {
   static constexpr const char* name = "beetstra";
   static constexpr Validity validity{0.4, 0.9, 1000.0};
-  static constexpr const char* no_exponent =
-      "its dependence on the void fraction is fitted and no power";
+  static constexpr const char* no_exponent = fitted_dependence;
 
   /// beta/(1 - eps) as in SyamlalOBrien::per_solid_volume.
   static double per_solid_volume(double void_fraction, double slip, double diameter, double density,
@@ -44,7 +43,7 @@ struct Beetstra {
                            (reynolds * (1.0 / void_fraction + 3.0 * void_fraction * phi) +
                             8.4 * std::pow(reynolds, 0.657)) *
                            power / (power + std::pow(10.0, 3.0 * phi));
-    const double still = 10.0 * phi / square + square * (1.0 + 1.5 * std::sqrt(phi));
+    const double still = drag_without_inertia(void_fraction);
     return from_drag(still + inertia, void_fraction, diameter, viscosity);
   }
 };

@@ -35,8 +35,7 @@ namespace cohesion::drag {
 struct HillKochLadd {
   static constexpr const char* name = "hillKochLadd";
   static constexpr Validity validity{0.36, 1.0, 200.0};
-  static constexpr const char* no_exponent =
-      "its dependence on the void fraction is fitted and no power";
+  static constexpr const char* no_exponent = fitted_dependence;
 
   /// Scaled total force without inertia, F_0 [1], at the solid fraction phi [1], zero included.
   static double without_inertia(double phi) {

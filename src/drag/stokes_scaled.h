@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 /// The conventions of the drag closures, and the one place that converts between them.
 ///
 /// Velocity. u - v is the slip between the gas in the voids and the particles; the superficial slip
@@ -27,6 +29,17 @@ inline double superficial_reynolds(double void_fraction, double slip, double dia
                                    double density, double viscosity) {
   return void_fraction * slip * diameter * density / viscosity;
 }
+
+/// F_drag [1] without inertia of random arrays of equal spheres: the first two terms of Beetstra's
+/// and Tang's closures.
+inline double drag_without_inertia(double void_fraction) {
+  const double phi = 1.0 - void_fraction, square = void_fraction * void_fraction;
+  return 10.0 * phi / square + square * (1.0 + 1.5 * std::sqrt(phi));
+}
+
+/// Why closures have no exponent for the void fraction, as messages have it.
+inline constexpr const char* fitted_dependence =
+    "its dependence on the void fraction is fitted and no power";
 
 /// beta/(1 - eps) [mass/(volume time)] of a scaled drag [1].
 inline double from_drag(double scaled_force, double void_fraction, double diameter,

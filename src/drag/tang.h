@@ -37,8 +37,7 @@ namespace cohesion::drag {
 struct Tang {
   static constexpr const char* name = "tang";
   static constexpr Validity validity{0.4, 0.9, 1000.0};
-  static constexpr const char* no_exponent =
-      "its dependence on the void fraction is fitted and no power";
+  static constexpr const char* no_exponent = fitted_dependence;
 
   /// beta/(1 - eps) as in SyamlalOBrien::per_solid_volume.
   static double per_solid_volume(double void_fraction, double slip, double diameter, double density,
@@ -47,7 +46,7 @@ struct Tang {
     const double fourth = square * square;
     const double reynolds = superficial_reynolds(void_fraction, slip, diameter, density, viscosity);
     const double fitted = std::min(reynolds, validity.highest_reynolds);
-    const double still = 10.0 * phi / square + square * (1.0 + 1.5 * std::sqrt(phi));
+    const double still = drag_without_inertia(void_fraction);
     const double inertia = fitted * (0.11 * phi * (1.0 + phi) - 0.00456 / fourth) +
                            (0.169 * void_fraction + 0.0644 / fourth) * std::pow(fitted, 0.657);
     const double beyond = std::max(1.0, reynolds / validity.highest_reynolds);

@@ -35,8 +35,7 @@ namespace cohesion::drag {
 struct Tenneti {
   static constexpr const char* name = "tenneti";
   static constexpr Validity validity{0.5, 0.9, 300.0};
-  static constexpr const char* no_exponent =
-      "its dependence on the void fraction is fitted and no power";
+  static constexpr const char* no_exponent = fitted_dependence;
 
   /// beta/(1 - eps) as in SyamlalOBrien::per_solid_volume.
   static double per_solid_volume(double void_fraction, double slip, double diameter, double density,

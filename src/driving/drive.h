@@ -42,7 +42,7 @@ struct Sums {
 };
 
 /// What is done to every particle.
-struct Action {
+struct VelocityChange {
   double temperature = 0.0;  ///< theta before, [length^2/time^2]
   double energy = 0.0;       ///< kinetic energy that all together get, [mass length^2/time^2]
   Vector3 mean;              ///< velocity, [length/time]
@@ -67,8 +67,8 @@ inline Vector3 mean_of(const Sums::Values& sums, int first) {
 }
 
 /// theta and mean velocity.
-inline Action measured(const Sums::Values& sums, int dimensions) {
-  Action action;
+inline VelocityChange measured(const Sums::Values& sums, int dimensions) {
+  VelocityChange action;
   if (!(sums[Sums::mass] > 0.0)) return action;
   action.mean = mean_of(sums, Sums::momentum);
   const double squares = sums[Sums::energy] / sums[Sums::mass] - dot(action.mean, action.mean);
@@ -88,8 +88,8 @@ inline double temperature_of(const Sums::Values& sums, int dimensions) {
 }
 
 /// Scales the motion of all to the temperature T > 0; particles that have none keep that.
-inline Action rescaled(const Sums::Values& sums, double T, int dimensions) {
-  Action action = detail::measured(sums, dimensions);
+inline VelocityChange rescaled(const Sums::Values& sums, double T, int dimensions) {
+  VelocityChange action = detail::measured(sums, dimensions);
   if (action.temperature == 0.0) return action;
   action.scale = std::sqrt(T / action.temperature) - 1.0;
   action.energy = detail::energy_between(sums, dimensions, action.temperature, T);
@@ -98,8 +98,8 @@ inline Action rescaled(const Sums::Values& sums, double T, int dimensions) {
 
 /// Kicks all up to the temperature T > 0. Nothing where theta is there or above, or with fewer than
 /// two particles.
-inline Action kicked(const Sums::Values& sums, double T, int dimensions) {
-  Action action = detail::measured(sums, dimensions);
+inline VelocityChange kicked(const Sums::Values& sums, double T, int dimensions) {
+  VelocityChange action = detail::measured(sums, dimensions);
   const double known_to = detail::rounding * (T + dot(action.mean, action.mean));
   if (!(T - action.temperature > known_to) || sums[Sums::mass] == 0.0) return action;
   action.mean_kick = detail::mean_of(sums, Sums::kick);

@@ -35,7 +35,7 @@ namespace cohesion::hamaker {
 template <class Smooth>
 class Rough {
  public:
-  explicit Rough(const Parameters& p)
+  explicit Rough(const HamakerParameters& p)
       : smooth_(without_asperity(p)),
         asperity_radius_(p.asperity_radius),
         asperity_height_(height_of_asperity(p)) {}
@@ -51,7 +51,7 @@ class Rough {
   }
 
  private:
-  static Parameters without_asperity(Parameters p) {
+  static HamakerParameters without_asperity(HamakerParameters p) {
     p.asperity_radius = p.asperity_height = 0.0;
     return p;
   }

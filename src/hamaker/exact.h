@@ -27,7 +27,7 @@ namespace cohesion::hamaker {
 /// Source: H. C. Hamaker, Physica 4 (1937) 1058; M. A. van der Hoef et al., Adv. Chem. Eng. 31
 /// (2006) 65, eq. 35 and 36, where E stands without its sign.
 struct Exact {
-  explicit Exact(const Parameters& p) { require_smooth(p); }
+  explicit Exact(const HamakerParameters& p) { require_smooth(p); }
 
   /// [force/energy]
   double force(double gap, const PairGeometry& g) const {

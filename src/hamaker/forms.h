@@ -17,8 +17,9 @@ namespace cohesion::hamaker {
 
 /// A Wrapper of the law that was chosen: one std::visit leads to a loop that knows its type.
 template <template <class...> class Wrapper>
-using LawVariant = std::variant<Wrapper<Law<SmallGap>>, Wrapper<Law<Exact>>,
-                                Wrapper<Law<Rough<SmallGap>>>, Wrapper<Law<Rough<Exact>>>>;
+using LawVariant =
+    std::variant<Wrapper<HamakerLaw<SmallGap>>, Wrapper<HamakerLaw<Exact>>,
+                 Wrapper<HamakerLaw<Rough<SmallGap>>>, Wrapper<HamakerLaw<Rough<Exact>>>>;
 
 template <class T>
 using Identity = T;
@@ -29,16 +30,16 @@ using AnyLaws = LawVariant<std::vector>;  ///< laws of many pairs of types, all 
 struct Form {
   std::string_view name;
   /// The law of this form; throws InvalidParameter. rough: one that knows asperities.
-  AnyLaw (*law)(const Parameters&, bool rough);
+  AnyLaw (*law)(const HamakerParameters&, bool rough);
   /// Up to which H_cut and H_out are let pass, over the reduced radius R*, [1]: see `forms`.
   double largest_surface_cutoff;
   double largest_outer_cutoff;
 };
 
 template <class Smooth>
-AnyLaw law_of(const Parameters& p, bool rough) {
-  if (rough) return Law<Rough<Smooth>>(p);
-  return Law<Smooth>(p);
+AnyLaw law_of(const HamakerParameters& p, bool rough) {
+  if (rough) return HamakerLaw<Rough<Smooth>>(p);
+  return HamakerLaw<Smooth>(p);
 }
 
 /// The form of small gaps is too strong by H/R* of itself, to first order: a tenth in the force of

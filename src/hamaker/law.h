@@ -24,10 +24,10 @@ namespace cohesion::hamaker {
 ///
 /// Source: cut-off as in M. Weber, thesis, section 6.2.4.1.
 template <class Form>
-class Law {
+class HamakerLaw {
  public:
   /// Throws InvalidParameter as require_valid does, and when Form passes over an asperity given.
-  explicit Law(const Parameters& p)
+  explicit HamakerLaw(const HamakerParameters& p)
       : form_(p),
         a_over_6_(p.hamaker_constant / 6.0),
         surface_cutoff_(p.surface_cutoff),

@@ -9,7 +9,7 @@
 namespace cohesion::hamaker {
 
 /// What a user gives for a pair of materials, in any consistent set of units.
-struct Parameters {
+struct HamakerParameters {
   double hamaker_constant;       ///< A, [energy]; 0 switches the law off
   double surface_cutoff;         ///< H_cut, [length]: the force is constant below this gap
   double outer_cutoff;           ///< H_out, [length]: force and energy are zero from this gap on
@@ -18,15 +18,15 @@ struct Parameters {
 };
 
 /// How far an asperity holds the bodies apart, [length]; 0 for smooth surfaces.
-inline double height_of_asperity(const Parameters& p) {
+inline double height_of_asperity(const HamakerParameters& p) {
   return p.asperity_height > 0.0 ? p.asperity_height : p.asperity_radius;
 }
 
 /// Of a law that is off.
-inline constexpr Parameters none{0.0, 1.0, 2.0};
+inline constexpr HamakerParameters none{0.0, 1.0, 2.0};
 
 /// Throws InvalidParameter unless A >= 0, 0 < H_cut < H_out and 0 <= h_a <= r_a, all finite.
-inline void require_valid(const Parameters& p) {
+inline void require_valid(const HamakerParameters& p) {
   require_non_negative("Hamaker constant A", p.hamaker_constant);
   require_positive("surface cut-off H_cut", p.surface_cutoff);
   require_positive("outer cut-off", p.outer_cutoff);
@@ -40,15 +40,15 @@ inline void require_valid(const Parameters& p) {
 
 /// Throws InvalidParameter when surfaces are given as rough: a form without asperities would pass
 /// over it in silence.
-inline void require_smooth(const Parameters& p) {
+inline void require_smooth(const HamakerParameters& p) {
   require(p.asperity_radius == 0.0, "asperity radius", p.asperity_radius,
           "must be zero for the law of smooth surfaces");
 }
 
 /// Unlike materials: the geometric mean of the constants, the larger cut-offs, and the higher
 /// asperity, which is the one that touches.
-inline Parameters mixed(const Parameters& a, const Parameters& b) {
-  const Parameters& higher = height_of_asperity(a) < height_of_asperity(b) ? b : a;
+inline HamakerParameters mixed(const HamakerParameters& a, const HamakerParameters& b) {
+  const HamakerParameters& higher = height_of_asperity(a) < height_of_asperity(b) ? b : a;
   return {geometric_mean(a.hamaker_constant, b.hamaker_constant),
           std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff),
           higher.asperity_radius, higher.asperity_height};

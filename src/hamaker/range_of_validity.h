@@ -13,7 +13,8 @@ namespace cohesion::hamaker {
 /// Throws InvalidParameter where a cut-off is so large, beside the particles, that the form means
 /// something else there (Form::largest_surface_cutoff, largest_outer_cutoff). g: of the smallest
 /// two particles, or the smallest one and a wall. A law that is off has any.
-inline void require_far_below_radius(const Form& form, const Parameters& p, const PairGeometry& g) {
+inline void require_far_below_radius(const Form& form, const HamakerParameters& p,
+                                     const PairGeometry& g) {
   if (p.hamaker_constant == 0.0) return;
   const auto require_below = [&](const char* name, double value, double share) {
     std::ostringstream remedy;
@@ -36,11 +37,11 @@ inline constexpr double largest_gain_of_asperities = 1.1;
 /// Throws InvalidParameter where asperities are so flat that cap and body are felt as two bodies
 /// (asperity.h): the attraction would be up to twice that of smooth surfaces. g: of the smallest
 /// two particles, or the smallest one and a wall, whose asperities do most.
-inline void require_weakened_by_asperities(const Form& form, const Parameters& p,
+inline void require_weakened_by_asperities(const Form& form, const HamakerParameters& p,
                                            const PairGeometry& g) {
   if (p.hamaker_constant == 0.0 || p.asperity_radius == 0.0) return;
   const auto force_of_contact = [&](double radius, double height) {
-    const Parameters of_unit_constant{1.0, p.surface_cutoff, p.outer_cutoff, radius, height};
+    const HamakerParameters of_unit_constant{1.0, p.surface_cutoff, p.outer_cutoff, radius, height};
     return std::visit([&](const auto& l) { return l.adhesion_force(g); },
                       form.law(of_unit_constant, radius > 0.0));
   };

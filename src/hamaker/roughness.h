@@ -64,7 +64,7 @@ inline Asperity asperity_of(const Roughness& r) {
 }
 
 /// Of which asperity_of() is p's asperity, but for the last digit.
-inline Roughness roughness_of(const Parameters& p) {
+inline Roughness roughness_of(const HamakerParameters& p) {
   const double height = height_of_asperity(p);
   return {height / peak_over_rms, std::sqrt(32.0 * height * p.asperity_radius)};
 }

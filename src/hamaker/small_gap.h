@@ -16,7 +16,7 @@ namespace cohesion::hamaker {
 /// Source: Derjaguin's approximation of the attraction of two spheres, H. C. Hamaker, Physica 4
 /// (1937) 1058.
 struct SmallGap {
-  explicit SmallGap(const Parameters& p) { require_smooth(p); }
+  explicit SmallGap(const HamakerParameters& p) { require_smooth(p); }
 
   /// [force/energy]
   double force(double gap, const PairGeometry& g) const { return g.reduced_radius / (gap * gap); }

@@ -17,7 +17,7 @@ class Tail {
   Tail() = default;
   Tail(const AnyLaw& law, const PairGeometry& geometry) : law_(law), geometry_(geometry) {}
 
-  /// Law::barrier() of the pair, [energy]; infinite for an edge without width.
+  /// HamakerLaw::barrier() of the pair, [energy]; infinite for an edge without width.
   double barrier(double load, double gap) const {
     if (!law_) return std::numeric_limits<double>::infinity();
     return std::visit([&](const auto& law) { return law.barrier(load, gap, geometry_); }, *law_);

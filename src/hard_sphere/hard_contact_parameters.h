@@ -10,9 +10,9 @@ namespace cohesion::hard_sphere {
 
 /// Parameters of the impacts of a pair of materials.
 struct HardContactParameters {
-  double restitution = 1.0;      ///< e, [1]
-  double friction = 0.0;         ///< mu_f, [1]
-  square_well::Parameters well;  ///< around the hard core
+  double restitution = 1.0;                ///< e, [1]
+  double friction = 0.0;                   ///< mu_f, [1]
+  square_well::SquareWellParameters well;  ///< around the hard core
 
   ImpactLaw law() const { return {restitution, friction, well.depth}; }
 };

@@ -26,7 +26,7 @@ namespace cohesion::kinetic_theory {
 /// parts into two by itself, which nobody measured.
 class SquareWellGas {
  public:
-  struct Ratio {
+  struct PressureRatio {
     GranularPressure::Cohesion cohesion;
     bool too_cold, too_dense;  ///< out of the range
   };
@@ -55,7 +55,7 @@ class SquareWellGas {
   /// The largest D/T of the range, [1]; infinite where lambda = 1
   double largest_depth_over_t() const { return most_; }
 
-  Ratio ratio(double phi, double theta) const {
+  PressureRatio ratio(double phi, double theta) const {
     const double deep = depth_over_t(theta), within = std::min(deep, most_);
     if (lambda_ == 1.0 || within == 0.0) return {{1.0, 0.0}, false, false};
     const double X = (lambda_ * lambda_ * lambda_ - 1.0) * std::expm1(within);

@@ -25,7 +25,7 @@ using Vector = std::array<double, 3>;
 
 /// Where the populations of nodes come from and go to, by velocity, and there by node. A node
 /// writes where it has read, and nowhere else.
-struct Row {
+struct PopulationPointers {
   std::array<const double*, directions> in;
   std::array<double*, directions> out;
 };
@@ -51,10 +51,11 @@ template <class F, std::size_t... k>
 /// J. Stat. Phys. 88 (1997) 927), two relaxation times, a body force of second order (Z. Guo, C.
 /// Zheng, B. Shi, Phys. Rev. E 65 (2002) 046308). Populations are deviations from those of the
 /// fluid at rest, so that slow flow keeps its digits. force per mass [spacing/step^2].
-COHESION_WIDER_VECTORS inline void collide(const Row& row, const std::vector<Run>& runs,
+COHESION_WIDER_VECTORS inline void collide(const PopulationPointers& row,
+                                           const std::vector<Run>& runs,
                                            const Relaxation& relaxation, const Vector& force) {
   // By value, for the compiler to know that what is written changes none of them.
-  const Row at = row;
+  const PopulationPointers at = row;
   const double even = relaxation.even(), odd = relaxation.odd();
   const double gx = force[0], gy = force[1], gz = force[2];
   const double even_force = 1.0 - 0.5 * even, odd_force = 1.0 - 0.5 * odd;

@@ -57,7 +57,7 @@ class Flow {
   void step() {
     shared_(directions, [this](int q) { populations_.wrap(q); });
     shared_(walls_->spheres(), [this](int sphere) { forces_[sphere] = reflect(sphere); });
-    const Row row = populations_.row();
+    const PopulationPointers row = populations_.row();
     shared_(grid_.nodes(2),
             [&](int z) { collide(row, walls_->runs(z), relaxation_, body_force_); });
     populations_.turn();

@@ -43,8 +43,8 @@ class Populations {
   }
 
   /// Where collisions read and write.
-  Row row() {
-    Row row;
+  PopulationPointers row() {
+    PopulationPointers row;
     for (int q = 0; q < directions; q++) {
       double* streamed = array(q) - grid_.offset(q);
       double* home = array(opposite(q));

@@ -21,7 +21,7 @@ namespace cohesion::lattice_boltzmann {
 inline double size_of(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// How a flow is driven, and when it is steady. Lattice units.
-struct Course {
+struct FlowSettings {
   double viscosity;         ///< [spacing^2/step]
   Vector body_force;        ///< [spacing/step^2]
   double speed = 0.0;       ///< superficial, along the force, to which the force is made to lead,
@@ -43,8 +43,8 @@ struct SteadyDrag {
                        ///< by tenths of the time of the mean, [1]
 };
 
-/// Told between looks at the flow: steps done, and the change that is yet to come, [1].
-using Told = std::function<void(long, double)>;
+/// Called between samples of the flow with the number of steps and the remaining change [1].
+using ProgressReport = std::function<void(long, double)>;
 
 /// What is yet to come of a number that is looked at now and then, over it, its changes taken for a
 /// geometric series; the largest of the last looks, since what swings stands still where it turns.
@@ -72,16 +72,16 @@ class YetToCome {
 /// A flow through an array on its course.
 class DrivenFlow {
  public:
-  DrivenFlow(const Array& array, const Course& course, const Shared& shared)
-      : course_(course),
+  DrivenFlow(const Array& array, const FlowSettings& settings, const Shared& shared)
+      : settings_(settings),
         grid_(array.nodes),
         walls_(grid_, array.spheres),
-        flow_(grid_, walls_, Relaxation(course.viscosity), shared),
-        control_(course.speed, grid_.volume(), static_cast<double>(walls_.fluid_nodes())),
-        force_(size_of(course.body_force)) {
+        flow_(grid_, walls_, Relaxation(settings.viscosity), shared),
+        control_(settings.speed, grid_.volume(), static_cast<double>(walls_.fluid_nodes())),
+        force_(size_of(settings.body_force)) {
     require_positive("body force", force_);
-    for (int k = 0; k < 3; k++) along_[k] = course.body_force[k] / force_;
-    flow_.set_body_force(course.body_force);
+    for (int k = 0; k < 3; k++) along_[k] = settings.body_force[k] / force_;
+    flow_.set_body_force(settings.body_force);
   }
 
   /// Goes on by so many steps, and calls each() when the forces on spheres in one are known.
@@ -90,9 +90,9 @@ class DrivenFlow {
     for (int i = 0; i < steps; i++) {
       flow_.step();
       each();
-      if (course_.speed > 0.0) lead();
+      if (settings_.speed > 0.0) lead();
     }
-    if (course_.speed > 0.0) control_.set_speed(speed());
+    if (settings_.speed > 0.0) control_.set_speed(speed());
   }
   void advance(int steps) {
     advance(steps, [] {});
@@ -138,8 +138,8 @@ class DrivenFlow {
   void lead() {
     constexpr double spacings = 3.0;
     done_ += 1.0;
-    const double begun = done_ * course_.viscosity / (spacings * spacings);
-    control_.ask(course_.speed * std::min(1.0, begun));
+    const double begun = done_ * settings_.viscosity / (spacings * spacings);
+    control_.ask(settings_.speed * std::min(1.0, begun));
     drive(control_.next(force_, held()));
   }
 
@@ -150,7 +150,7 @@ class DrivenFlow {
     flow_.set_body_force(of);
   }
 
-  Course course_;
+  FlowSettings settings_;
   Grid grid_;
   Walls walls_;
   Flow flow_;
@@ -168,12 +168,12 @@ inline void require_finite(double speed) {
 }
 
 /// Means over so many steps, and how sure they are.
-inline SteadyDrag average_drag(DrivenFlow& driven, long steps, const Told& told) {
+inline SteadyDrag average_drag(DrivenFlow& driven, long steps, const ProgressReport& report) {
   const int parts = 10, each = static_cast<int>(steps / parts);
   SteadyDrag mean = driven.measured(each);
   std::vector<double> forces{size_of(mean.body_force)};
   for (int part = 1; part < parts; part++) {
-    if (told) told(each * part, 1.0);
+    if (report) report(each * part, 1.0);
     const SteadyDrag next = driven.measured(each);
     forces.push_back(size_of(next.body_force));
     const double share = 1.0 / (part + 1);
@@ -195,26 +195,27 @@ inline SteadyDrag average_drag(DrivenFlow& driven, long steps, const Told& told)
 /// Runs a flow until what is yet to come of its velocity, or of the force that keeps it, is below
 /// the tolerance; where an average is asked for and it is not within those steps, the mean of as
 /// many more. Throws InvalidParameter when it is not steady within the steps given, or blows up.
-inline SteadyDrag steady_drag(DrivenFlow& driven, const Course& course, const Told& told = {}) {
+inline SteadyDrag steady_drag(DrivenFlow& driven, const FlowSettings& settings,
+                              const ProgressReport& report = {}) {
   const int interval = 100;
   YetToCome rest;
   long steps = 0;
-  for (double left = 1.0; left > course.tolerance;) {
-    if (course.average > 0 && steps >= course.average) {
-      SteadyDrag found = average_drag(driven, course.average, told);
-      found.steps = steps + course.average;
+  for (double left = 1.0; left > settings.tolerance;) {
+    if (settings.average > 0 && steps >= settings.average) {
+      SteadyDrag found = average_drag(driven, settings.average, report);
+      found.steps = steps + settings.average;
       require_finite(found.balance);
       return found;
     }
-    require(steps < course.most_steps, "largest number of steps", course.most_steps,
+    require(steps < settings.most_steps, "largest number of steps", settings.most_steps,
             "the flow is not steady by then: allow more, a larger tolerance, or an average");
     driven.advance(interval);
     steps += interval;
     const double speed = driven.speed();
     require_finite(speed);
-    left = rest.after(course.speed > 0.0 ? driven.force() : speed);
-    if (course.speed > 0.0) left = std::max(left, std::abs(speed / course.speed - 1.0));
-    if (told) told(steps, left);
+    left = rest.after(settings.speed > 0.0 ? driven.force() : speed);
+    if (settings.speed > 0.0) left = std::max(left, std::abs(speed / settings.speed - 1.0));
+    if (report) report(steps, left);
   }
   SteadyDrag found = driven.measured(interval);
   found.steps = steps + interval;
@@ -222,32 +223,32 @@ inline SteadyDrag steady_drag(DrivenFlow& driven, const Course& course, const To
 }
 
 /// The same of a flow that starts at rest.
-inline SteadyDrag steady_drag(const Array& array, const Course& course) {
-  DrivenFlow driven(array, course, one_by_one);
-  return steady_drag(driven, course);
+inline SteadyDrag steady_drag(const Array& array, const FlowSettings& settings) {
+  DrivenFlow driven(array, settings, one_by_one);
+  return steady_drag(driven, settings);
 }
 
 /// F = force/(3 pi mu d U) of the drag along the flow on a sphere, U superficial. [1]
-inline double drag_on(const SteadyDrag& drag, const Array& array, const Course& course,
+inline double drag_on(const SteadyDrag& drag, const Array& array, const FlowSettings& settings,
                       std::size_t sphere) {
   double along = 0.0;
   for (int k = 0; k < 3; k++) along += drag.forces[sphere][k] * drag.body_force[k];
-  return along / (size_of(drag.body_force) * 6.0 * pi * course.viscosity *
+  return along / (size_of(drag.body_force) * 6.0 * pi * settings.viscosity *
                   array.spheres[sphere].radius * size_of(drag.superficial));
 }
 
 /// F* = F_drag/(3 pi mu d U), F_drag = (1 - phi) F_total, of the mean over the spheres, F_total = g
 /// V/N: the force by which the fluid is driven in the whole box, spheres included; d the Sauter
 /// mean. [1]
-inline double mean_drag(const SteadyDrag& drag, const Array& array, const Course& course) {
+inline double mean_drag(const SteadyDrag& drag, const Array& array, const FlowSettings& settings) {
   const double each = volume(array) / static_cast<double>(array.spheres.size());
   return (1.0 - solid_fraction(array)) * size_of(drag.body_force) * each /
-         (3.0 * pi * course.viscosity * sauter_mean(array) * size_of(drag.superficial));
+         (3.0 * pi * settings.viscosity * sauter_mean(array) * size_of(drag.superficial));
 }
 
 /// Re = U d/nu, superficial, d the Sauter mean.
-inline double reynolds(const SteadyDrag& drag, const Array& array, const Course& course) {
-  return size_of(drag.superficial) * sauter_mean(array) / course.viscosity;
+inline double reynolds(const SteadyDrag& drag, const Array& array, const FlowSettings& settings) {
+  return size_of(drag.superficial) * sauter_mean(array) / settings.viscosity;
 }
 
 }  // namespace cohesion::lattice_boltzmann

@@ -25,7 +25,7 @@ namespace cohesion::liquid_bridge {
 /// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville, Langmuir 16 (2000) 9396
 /// (force, pull.h); G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface Sci. 161 (1993) 138
 /// (rupture).
-struct Parameters {
+struct LiquidBridgeParameters {
   double force = 0.0;        ///< F_b, [force]; 0: no such bridge
   double rupture_gap = 0.0;  ///< h_r, [length]
   double tension = 0.0;      ///< 2 pi gamma cos theta, [force/length]; 0: no such bridge
@@ -36,7 +36,7 @@ struct Parameters {
 
 /// Throws InvalidParameter unless F_b >= 0, h_r >= 0, and h_r > 0 where there is a force, all
 /// finite.
-inline void require_valid(const Parameters& p) {
+inline void require_valid(const LiquidBridgeParameters& p) {
   require_non_negative("force F_b of the bridge", p.force);
   require_non_negative("rupture gap h_r of the bridge", p.rupture_gap);
   require(p.force == 0.0 || p.rupture_gap > 0.0, "rupture gap h_r of the bridge", p.rupture_gap,
@@ -46,7 +46,8 @@ inline void require_valid(const Parameters& p) {
 /// The bridge of a volume V [volume] of liquid, with gamma [force/length] and theta in radians; no
 /// bridge where gamma is 0. Throws InvalidParameter unless gamma >= 0, 0 <= theta < pi/2 and V >=
 /// 0, V > 0 where there is a surface tension, all finite.
-inline Parameters capillary(double surface_tension, double contact_angle, double volume) {
+inline LiquidBridgeParameters capillary(double surface_tension, double contact_angle,
+                                        double volume) {
   require_non_negative("surface tension gamma of the bridge", surface_tension);
   require(std::isfinite(contact_angle) && contact_angle >= 0.0 && contact_angle < 0.5 * pi,
           "contact angle theta of the bridge", contact_angle,
@@ -59,13 +60,15 @@ inline Parameters capillary(double surface_tension, double contact_angle, double
 }
 
 /// Unlike materials: geometric means of both, so that one that is dry has no bridges.
-inline Parameters mixed(const Parameters& a, const Parameters& b) {
+inline LiquidBridgeParameters mixed(const LiquidBridgeParameters& a,
+                                    const LiquidBridgeParameters& b) {
   return {geometric_mean(a.force, b.force), geometric_mean(a.rupture_gap, b.rupture_gap),
           geometric_mean(a.tension, b.tension), geometric_mean(a.volume, b.volume)};
 }
 
 /// The bridge as an adhesion; radius_j [length] 0: next to a wall.
-inline contact::Adhesion adhesion_of(const Parameters& p, double radius_i, double radius_j) {
+inline contact::Adhesion adhesion_of(const LiquidBridgeParameters& p, double radius_i,
+                                     double radius_j) {
   if (p.tension > 0.0) {
     const double radius = 2.0 * (radius_j > 0.0 ? reduced_radius(radius_i, radius_j) : radius_i);
     return {p.tension * radius, p.rupture_gap, 0.0, true, {}, std::sqrt(p.volume / radius)};

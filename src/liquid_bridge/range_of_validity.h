@@ -15,7 +15,7 @@ inline constexpr double largest_volume = 0.1;
 
 /// Throws InvalidParameter where a bridge breaks at a gap above the radius [length] of the smallest
 /// particle that has one: most often its volume is in another unit.
-inline void require_short(const Parameters& p, double radius) {
+inline void require_short(const LiquidBridgeParameters& p, double radius) {
   if (!p.attracts()) return;
   std::ostringstream remedy;
   remedy << "must not be above " << radius << ", the radius of the smallest particle";
@@ -32,7 +32,7 @@ inline void require_short(const Parameters& p, double radius) {
 
 /// What to say of a volume that is too large for the force of the bridge; empty: nothing. radius
 /// [length]: of the smallest particle that has such a bridge.
-inline std::string doubt_of_volume(const Parameters& p, double radius) {
+inline std::string doubt_of_volume(const LiquidBridgeParameters& p, double radius) {
   const double share = p.volume / (radius * radius * radius);
   if (!(p.tension > 0.0) || share <= (1.0 + 1e-6) * largest_volume) return "";
   std::ostringstream text;

@@ -55,7 +55,7 @@ class Parcels {
   double mass(double of_grains) const { return grains() * of_grains; }
   double energy(double of_grains) const { return mass(of_grains); }
 
-  hamaker::Parameters attraction(const hamaker::Parameters& of_grains) const {
+  hamaker::HamakerParameters attraction(const hamaker::HamakerParameters& of_grains) const {
     return {energy(of_grains.hamaker_constant), length(of_grains.surface_cutoff),
             length(of_grains.outer_cutoff), length(of_grains.asperity_radius),
             length(of_grains.asperity_height)};

@@ -34,7 +34,7 @@ inline double corners_of_equal_area(double radius, int sides) {
 }
 
 /// How many spheres a bed has, [1].
-inline double number_of_grains(const Bed& bed, const Sizes& sizes) {
+inline double number_of_grains(const Bed& bed, const PowderSizes& sizes) {
   require_valid(bed);
   return (1.0 - bed.void_fraction) * bed.area * bed.height * sizes.number_per_solid_volume();
 }
@@ -76,13 +76,14 @@ inline double longest_gas_step(double cell, double velocity, double gravity) {
 }
 
 /// Steps of a run, [time].
-struct Steps {
+struct TimeSteps {
   double particle, gas;
 };
 
 /// No longer than these, [time]: a whole number of gas steps is the interval of a run's outputs, so
 /// that the run ends when it should, and a whole number of particle steps is a gas step.
-inline Steps steps_within(double interval, double longest_particle_step, double longest_gas_step) {
+inline TimeSteps steps_within(double interval, double longest_particle_step,
+                              double longest_gas_step) {
   constexpr double rounding = 1e-12;
   const double gas = std::min(longest_gas_step, interval);
   const double particle = std::min(longest_particle_step, gas);

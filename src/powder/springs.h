@@ -34,11 +34,11 @@ struct Demand {
 };
 
 /// Two grains in contact, of the smallest size.
-struct Pair {
-  double diameter;              ///< [length]
-  double mass;                  ///< of one, [mass]
-  hamaker::Parameters hamaker;  ///< of the attraction
-  contact::Adhesion adhesion;   ///< that it has of the pair
+struct GrainPair {
+  double diameter;                     ///< [length]
+  double mass;                         ///< of one, [mass]
+  hamaker::HamakerParameters hamaker;  ///< of the attraction
+  contact::Adhesion adhesion;          ///< that it has of the pair
 };
 
 /// Springs with the numbers of the pair.
@@ -52,7 +52,7 @@ struct Springs {
 /// The least stiffness to which the attraction of a material of stiffness `real` can be scaled, its
 /// cut-off growing towards the outer one: f > k (2 - k) of advice/stiffness_scaling.h, f^(p + 1)
 /// being the ratio of the stiffnesses, with a tenth to spare. exponent: p of the contact.
-inline double least_scaled_stiffness(double real, const hamaker::Parameters& p,
+inline double least_scaled_stiffness(double real, const hamaker::HamakerParameters& p,
                                      double exponent = advice::linear_power) {
   const double k = p.surface_cutoff / p.outer_cutoff;
   return 1.1 * real * std::pow(k * (2.0 - k), exponent + 1.0);
@@ -64,7 +64,7 @@ inline double rounded_stiffness(double needed, double material) {
 }
 
 /// The stiffness of the material, as a linear spring, [force/length].
-inline double material_stiffness(const Pair& pair, const Demand& demand) {
+inline double material_stiffness(const GrainPair& pair, const Demand& demand) {
   if (demand.elastic.young == 0.0) return demand.given;
   return sticking_stiffness(demand.elastic, pair.diameter, pair.mass, demand.restitution,
                             pair.adhesion, demand.load.speed);
@@ -73,7 +73,7 @@ inline double material_stiffness(const Pair& pair, const Demand& demand) {
 /// The softest stiffness that bears the pair and all others. in_run(borne, K): the adhesion that
 /// the run has of a contact.
 template <class InRun>
-double softest_of_all(const Pair& pair, const Demand& demand, const InRun& in_run) {
+double softest_of_all(const GrainPair& pair, const Demand& demand, const InRun& in_run) {
   std::vector<Borne> all = demand.others;
   all.push_back({{pair.diameter, 0.5 * pair.mass}, pair.adhesion});
   double stiffness = 0.0;
@@ -88,10 +88,10 @@ double softest_of_all(const Pair& pair, const Demand& demand, const InRun& in_ru
 /// With a square well in place of the attraction (powder/wells.h), which presses nothing: springs
 /// bear impacts at the speed that it gives those of the load. Throws InvalidParameter as
 /// well_depth, and unless the ratio of the well is one.
-inline Springs springs_with_well(const Pair& pair, const Demand& demand) {
+inline Springs springs_with_well(const GrainPair& pair, const Demand& demand) {
   const double e = demand.restitution, mu = 0.5 * pair.mass, radius = 0.5 * pair.diameter;
   const double real = material_stiffness(pair, demand);
-  const square_well::Parameters well =
+  const square_well::SquareWellParameters well =
       square_well::well(well_depth(real, e, mu, pair.adhesion), demand.well_ratio);
   square_well::require_valid(well);
   double soft = demand.given;
@@ -110,7 +110,7 @@ inline Springs springs_with_well(const Pair& pair, const Demand& demand) {
 
 /// The springs given, or the softest that will do, in two digits; no stiffer than the material.
 /// Throws InvalidParameter where those given leave the attraction no room below its outer cut-off.
-inline Springs springs_of(const Pair& pair, const Demand& demand) {
+inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
   if (demand.well_ratio > 0.0) return springs_with_well(pair, demand);
   const double real = material_stiffness(pair, demand);
   double soft = demand.given;

@@ -35,7 +35,7 @@ class BoxBins {
     found.clear();
     if (boxes_.empty()) return;
     // Wider by what fill() has left out of the boxes
-    std::array<Range, 3> range;
+    std::array<BinRange, 3> range;
     for (std::size_t d = 0; d < 3; d++) range[d] = axes_[d].bins(around, -axes_[d].slack);
     int looked_at = 0;
     visit(range, [&](std::size_t bin) {
@@ -50,7 +50,7 @@ class BoxBins {
   }
 
  private:
-  struct Range {
+  struct BinRange {
     std::size_t first, last;
   };
 
@@ -69,7 +69,7 @@ class BoxBins {
     }
 
     /// The bins of a box that is made smaller by `less` on both sides.
-    Range bins(const Box& box, double less) const {
+    BinRange bins(const Box& box, double less) const {
       const double from = box.low.*coordinate, to = box.high.*coordinate;
       const double by = std::min(less, 0.5 * (to - from));
       const std::size_t first = bin(from + by);
@@ -118,7 +118,7 @@ class BoxBins {
 
   /// Calls on_bin(number) for every bin of the ranges.
   template <class OnBin>
-  void visit(const std::array<Range, 3>& range, OnBin on_bin) const {
+  void visit(const std::array<BinRange, 3>& range, OnBin on_bin) const {
     for (std::size_t x = range[0].first; x <= range[0].last; x++)
       for (std::size_t y = range[1].first; y <= range[1].last; y++)
         for (std::size_t z = range[2].first; z <= range[2].last; z++)
@@ -129,7 +129,7 @@ class BoxBins {
   /// grid lie on those of the bins, to round-off, and its boxes would be in 27 bins each.
   template <class OnBin>
   void visit(const Box& box, OnBin on_bin) const {
-    std::array<Range, 3> range;
+    std::array<BinRange, 3> range;
     for (std::size_t d = 0; d < 3; d++) range[d] = axes_[d].bins(box, axes_[d].slack);
     visit(range, on_bin);
   }

@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "void_fraction/cell.h"
 #include "void_fraction/divided_volume.h"
-#include "void_fraction/particle_centre.h"
 #include "void_fraction/sphere_overlap.h"
 
 /// The table of void-fraction kernels: the one place that knows them all. How to add one:
@@ -17,6 +17,20 @@
 /// have too much, is not the kernel's: who adds them up scales them to 1, so that the sphere keeps
 /// its volume beside walls too, and where a point lies on a face of two cells.
 namespace cohesion::void_fraction {
+
+/// The cell that holds a particle's centre gets all of its volume. Exact in the solid volume, noisy
+/// when cells are not much larger than particles.
+///
+/// Source: M. Weber, thesis, chapter 6.
+struct ParticleCentre {
+  static constexpr const char* name = "particleCentre";
+  static constexpr double reach = 0.0;
+
+  /// Share of the sphere's volume that is in the cell [1].
+  static double share(const Sphere& sphere, const Cell& cell) {
+    return cell.contains(sphere.centre) ? 1.0 : 0.0;
+  }
+};
 
 struct Kernel {
   std::string_view name;

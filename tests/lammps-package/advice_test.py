@@ -5,6 +5,7 @@ import re
 import unittest
 from pathlib import Path
 
+from cohesion_tests.lammps_scenes import packed_cluster
 from cohesion_tests.lammps_scenes.small_box import box, spheres
 from cohesion_tests.test_cases import ScriptTestCase
 
@@ -211,34 +212,12 @@ class SixWalls(ScriptTestCase):
 class SeveralContacts(ScriptTestCase):
     """Steps in which particles with several contacts gain energy."""
     DAMPED = "stiffness 800 restitution 0.5 friction {} hamaker 1e-17 cutoff 4e-10 1e-7"
-    CLUSTER = """plugin load ${{plugin}}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-lattice fcc 1.40961e-3
-region box block -4 4 -4 4 -4 4
-create_box 1 box
-region ball sphere 0 0 0 1.5
-create_atoms 1 region ball
-set group all diameter 1e-3 density 2650
-displace_atoms all random 1e-9 1e-9 1e-9 4711
-neighbor 2e-4 bin
-pair_style gran/hamaker
-pair_coeff * * {coefficients}
-fix move all nve/sphere
-compute motion all ke
-compute spins all erotate/sphere
-thermo_style custom step c_motion c_spins
-timestep {dt}
-run {steps}
-"""
     CONTACT_TIME = 9.2515e-5
 
     def cluster(self, dt, friction):
-        return self.CLUSTER.format(coefficients=self.DAMPED.format(friction), dt=dt,
-                                   steps=20 * round(2 * self.CONTACT_TIME / dt))
+        return packed_cluster.script(lattice="1.40961e-3", box=4, radius=1.5, dt=dt,
+                                     steps=20 * round(2 * self.CONTACT_TIME / dt),
+                                     coefficients=self.DAMPED.format(friction))
 
     def test_a_packing_is_stopped_and_goes_on_with_the_step_that_the_message_names(self):
         for friction in (0, 0.3):

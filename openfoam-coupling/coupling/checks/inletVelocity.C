@@ -41,13 +41,13 @@ Foam::inletVelocity::inletVelocity(const volScalarField& voidFraction)
         const polyPatch& patch = values.patch().patch();
         if (!values.coupled() && !isA<wallPolyPatch>(patch))
         {
-            inlets_.append(Inlet{patch.index(), {}, {}});
+            inlets_.append(VelocityInlet{patch.index(), {}, {}});
         }
     }
 }
 
 
-void Foam::inletVelocity::checkAlongPlane(Inlet& inlet, const volVectorField& U)
+void Foam::inletVelocity::checkAlongPlane(VelocityInlet& inlet, const volVectorField& U)
 {
     const auto& values = U.boundaryField()[inlet.patch];
     const auto* byFlux = superficial(values);
@@ -76,7 +76,7 @@ void Foam::inletVelocity::checkAlongPlane(Inlet& inlet, const volVectorField& U)
 
 void Foam::inletVelocity::checkBetweenParticles
 (
-    Inlet& inlet,
+    VelocityInlet& inlet,
     const volScalarField& voidFraction,
     const volVectorField& U
 )
@@ -105,7 +105,7 @@ void Foam::inletVelocity::checkBetweenParticles
 
 void Foam::inletVelocity::check(const volScalarField& voidFraction, const volVectorField& U)
 {
-    for (Inlet& inlet : inlets_)
+    for (VelocityInlet& inlet : inlets_)
     {
         if (!U.boundaryField()[inlet.patch].fixesValue())
         {

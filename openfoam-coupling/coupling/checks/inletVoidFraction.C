@@ -74,7 +74,7 @@ Foam::inletVoidFraction::inletVoidFraction(const volScalarField& voidFraction)
     {
         if (values.fixesValue() && !values.coupled())
         {
-            inlets_.append(Inlet{values.patch().index(), {}});
+            inlets_.append(FixedVoidFraction{values.patch().index(), {}});
         }
     }
 }
@@ -110,7 +110,7 @@ void Foam::inletVoidFraction::check(const volScalarField& voidFraction, const vo
 {
     onceWarning* first = nullptr;
     OStringStream patches;
-    for (Inlet& inlet : inlets_)
+    for (FixedVoidFraction& inlet : inlets_)
     {
         if (!inlet.warning.due())
         {

@@ -6,7 +6,7 @@
 
 #include "coupling/sixDigits.H"
 
-using Box = cohesion::coupling::DemEngine::Box;
+using SimulationBox = cohesion::coupling::DemEngine::SimulationBox;
 
 namespace Foam
 {
@@ -15,7 +15,7 @@ namespace
 {
 
 //- FatalIOError unless box and mesh end at the same places
-void requireSameEnds(const dictionary& dict, const boundBox& bounds, const Box& box, const direction d)
+void requireSameEnds(const dictionary& dict, const boundBox& bounds, const SimulationBox& box, const direction d)
 {
     const scalar tolerance = 1e-6*bounds.span()[d];
     if
@@ -35,7 +35,7 @@ void requireSameEnds(const dictionary& dict, const boundBox& bounds, const Box& 
 
 //- FatalIOError unless the slab of particles, a box that is periodic in a direction that the mesh does not resolve,
 //  is as deep as the mesh is thick, or dict gives its depth
-void requireDepth(const dictionary& dict, const polyMesh& mesh, const Box& box, const direction d)
+void requireDepth(const dictionary& dict, const polyMesh& mesh, const SimulationBox& box, const direction d)
 {
     const scalar ofBox = box.high[d] - box.low[d];
     const scalar ofMesh = mesh.bounds().span()[d];
@@ -67,7 +67,7 @@ void requireDepth(const dictionary& dict, const polyMesh& mesh, const Box& box, 
 } // End anonymous namespace
 
 
-void requireBoxOfMesh(const dictionary& dict, const polyMesh& mesh, const Box& box)
+void requireBoxOfMesh(const dictionary& dict, const polyMesh& mesh, const SimulationBox& box)
 {
     for (direction d = 0; d < 3; ++d)
     {

@@ -97,7 +97,7 @@ void Foam::boundParticles::look(coupling::DemEngine& engine)
 }
 
 
-Foam::scalar Foam::boundParticles::factor(const label i, const particleDrag::Sphere& sphere)
+Foam::scalar Foam::boundParticles::factor(const label i, const particleDrag::DragConditions& sphere)
 {
     const drag::InAgglomerate& in = in_[i];
     if (!in.bound())

@@ -57,7 +57,7 @@ Foam::particleDrag::particleDrag(const dictionary& dict, const scalar mu)
 
 Foam::particleDrag::Drag Foam::particleDrag::operator()
 (
-    const Sphere& sphere,
+    const DragConditions& sphere,
     const drag::ModelForm& form
 ) const
 {
@@ -74,7 +74,7 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
 
 Foam::particleDrag::Drag Foam::particleDrag::operator()
 (
-    const Sphere& sphere,
+    const DragConditions& sphere,
     const drag::ModelForm& form,
     const drag::SizesAround& around
 ) const

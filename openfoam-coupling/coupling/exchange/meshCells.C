@@ -175,7 +175,7 @@ Foam::point Foam::meshCells::inPlane(const point& at, const label celli) const
 }
 
 
-Foam::meshCells::Overlap Foam::meshCells::overlap(const label celli, const point& centre, const scalar half) const
+Foam::meshCells::OverlapKind Foam::meshCells::overlap(const label celli, const point& centre, const scalar half) const
 {
     cut_.clear();
     const point at = inPlane(centre, celli);
@@ -188,14 +188,14 @@ Foam::meshCells::Overlap Foam::meshCells::overlap(const label celli, const point
         const scalar extent = half*mag(cmptMultiply(resolved_, area));
         if (away > extent)
         {
-            return Overlap::none;
+            return OverlapKind::none;
         }
         if (away > -extent)
         {
             cut_.push_back(plane);
         }
     }
-    return cut_.empty() ? Overlap::full : Overlap::partial;
+    return cut_.empty() ? OverlapKind::full : OverlapKind::partial;
 }
 
 
@@ -248,10 +248,10 @@ inline Foam::scalar Foam::meshCells::share
 {
     if (plane() && !isBox_[celli])
     {
-        const Overlap there = overlap(celli, centre, reach(sphere.radius));
-        if (there != Overlap::partial)
+        const OverlapKind there = overlap(celli, centre, reach(sphere.radius));
+        if (there != OverlapKind::partial)
         {
-            return there == Overlap::full;
+            return there == OverlapKind::full;
         }
     }
     return kernel_.share(sphere, KernelCell(*this, celli));

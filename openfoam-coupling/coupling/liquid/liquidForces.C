@@ -88,7 +88,7 @@ void Foam::liquidForces::set
 (
     const label i,
     const particleDrag& drag,
-    const particleDrag::Sphere& sphere,
+    const particleDrag::DragConditions& sphere,
     const scalar perSlip,
     const scalar inertia
 )

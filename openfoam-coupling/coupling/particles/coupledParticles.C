@@ -110,7 +110,7 @@ Foam::List<bool> Foam::coupledParticles::inserted() const
 }
 
 
-Foam::coupledParticles::Impulse Foam::coupledParticles::gasImpulse() const
+Foam::coupledParticles::GasImpulse Foam::coupledParticles::gasImpulse() const
 {
     const auto felt = engine_->gas_impulse();
     return

@@ -4,21 +4,21 @@
 #include "Pstream.H"
 #include "prefixOSstream.H"
 
-using cohesion::coupling::Severity;
+using cohesion::coupling::MessageLevel;
 
 
-std::function<void(Severity, const std::string&)> Foam::engineMessages(const word& engine)
+std::function<void(MessageLevel, const std::string&)> Foam::engineMessages(const word& engine)
 {
-    return [engine](const Severity severity, const std::string& text)
+    return [engine](const MessageLevel level, const std::string& text)
     {
         const bool first = Pstream::master();
-        if (severity == Severity::note)
+        if (level == MessageLevel::note)
         {
             Sout<< "Particle engine " << engine << ", " << text.c_str() << endl;
         }
         else
         {
-            OSstream& log = severity == Severity::error ? (first ? Serr : Perr) : (first ? Sout : Pout);
+            OSstream& log = level == MessageLevel::error ? (first ? Serr : Perr) : (first ? Sout : Pout);
             log << nl << "--> Particle engine " << engine << ':' << nl << text.c_str() << nl << endl;
         }
     };

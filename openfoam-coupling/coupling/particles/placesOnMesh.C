@@ -2,7 +2,7 @@
 #include "placesOnMesh.H"
 
 
-Foam::placesOnMesh::placesOnMesh(const polyMesh& mesh, const cohesion::coupling::DemEngine::Box& box)
+Foam::placesOnMesh::placesOnMesh(const polyMesh& mesh, const cohesion::coupling::DemEngine::SimulationBox& box)
 :
     within_(point::min, point::max)
 {

@@ -16,7 +16,7 @@ using namespace Foam;
 constexpr scalar mixtureFrom = 1.05;
 
 //- Smallest and largest value of all particles
-struct Range
+struct ValueRange
 {
     scalar least = GREAT;
     scalar most = -GREAT;
@@ -40,7 +40,7 @@ struct Range
         return most > (1 + 1e-5)*least;
     }
 
-    friend Ostream& operator<<(Ostream& os, const Range& range)
+    friend Ostream& operator<<(Ostream& os, const ValueRange& range)
     {
         if (range.wide())
         {
@@ -51,16 +51,16 @@ struct Range
 };
 
 //- Sums and ranges over all particles
-struct Particles
+struct ParticleTotals
 {
     label number = 0;
     scalar mass = 0;
     scalar volume = 0;
     scalar squares = 0;     // of radii
-    Range diameter;
-    Range density;
+    ValueRange diameter;
+    ValueRange density;
 
-    explicit Particles(const coupledParticles& particles)
+    explicit ParticleTotals(const coupledParticles& particles)
     {
         const UList<scalar> radii(particles.radii());
         const UList<scalar> masses(particles.masses());
@@ -141,7 +141,7 @@ void Foam::reportParticles
     const cohesion::powder::Parcels& parcels
 )
 {
-    const Particles all(particles);
+    const ParticleTotals all(particles);
     const bool sizes = all.diameter.wide();
     const bool densities = all.density.wide();
     Info<< "Particles: " << all.number << ", diameter " << all.diameter << " m";

@@ -10,8 +10,8 @@
 namespace {
 
 using cohesion::coupling::EngineScreen;
-using cohesion::coupling::Severity;
-using Messages = std::vector<std::pair<Severity, std::string>>;
+using cohesion::coupling::MessageLevel;
+using Messages = std::vector<std::pair<MessageLevel, std::string>>;
 
 class Screen : public ::testing::Test {
  protected:
@@ -20,9 +20,8 @@ class Screen : public ::testing::Test {
   void print(const std::string& text) { std::fputs(text.c_str(), screen_.stream()); }
 
   Messages messages_;
-  EngineScreen screen_{[this](Severity severity, const std::string& text) {
-    messages_.emplace_back(severity, text);
-  }};
+  EngineScreen screen_{
+      [this](MessageLevel level, const std::string& text) { messages_.emplace_back(level, text); }};
 };
 
 TEST_F(Screen, PassesOnNothingButErrorsAndWarnings) {
@@ -36,13 +35,13 @@ TEST_F(Screen, PassesOnAMessageWithAllItsLinesBeforeAnythingIsFlushed) {
   std::fprintf(screen_.stream(), "ERROR: %s (%s:%d)\nLast command: %s\n", "Illegal", "input.cpp", 7,
                "fix");
   EXPECT_EQ(messages_,
-            (Messages{{Severity::error, "ERROR: Illegal (input.cpp:7)\nLast command: fix"}}));
+            (Messages{{MessageLevel::error, "ERROR: Illegal (input.cpp:7)\nLast command: fix"}}));
   EXPECT_TRUE(screen_.has_shown_error());
 }
 
 TEST_F(Screen, LeavesOutWhatStandsBeforeTheMessage) {
   print("\nStep Temp\nWARNING: \n\tof two lines (a.h:3)\n\n");
-  EXPECT_EQ(messages_, (Messages{{Severity::warning, "WARNING: \n\tof two lines (a.h:3)"}}));
+  EXPECT_EQ(messages_, (Messages{{MessageLevel::warning, "WARNING: \n\tof two lines (a.h:3)"}}));
 }
 
 TEST_F(Screen, PassesOnAWarningOnceAndAnErrorAlways) {

@@ -151,7 +151,7 @@ TEST(ContactReport, NamesBothRatiosToTheMaterialUnderTheTable) {
 
 TEST(ContactReport, NamesBothRatiosOfHertzsAndJkrsContactToTheMaterial) {
   const double radius = 0.5e-3, mass = 2650.0 * sphere_volume(radius), ratio = 1e3;
-  const hamaker::Law<hamaker::SmallGap> law({7.49e-19, 4e-10, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({7.49e-19, 4e-10, 1e-7});
   for (const double w : {0.0, 0.05}) {
     contact::ContactParameters soft, real;
     contact::set_hertz(soft, 5e6, 0.3);
@@ -224,7 +224,7 @@ TEST(ContactReport, EscapeVelocityOfHertzIsThatOfItsImpact) {
   // Spheres of 1 mm and 2650 kg/m3, E 5e6 Pa, nu 0.3, A 7.49e-19 J, H_cut 0.4 nm, H_out 0.1 um; by
   // integrations of the eighth order by scipy (tests/support, hertz_contact.py).
   const double radius = 0.5e-3, mass = 2650.0 * sphere_volume(radius);
-  const hamaker::Law<hamaker::SmallGap> law({7.49e-19, 4e-10, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({7.49e-19, 4e-10, 1e-7});
   contact::ContactParameters p;
   contact::set_hertz(p, 5e6, 0.3);
   for (const auto& [restitution, exact] :

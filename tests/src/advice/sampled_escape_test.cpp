@@ -13,7 +13,7 @@ constexpr double A = 7.49e-19, cutoff = 4e-10, outer = 1e-7, depth = 5e-11;
 constexpr double thesis_step = 2.25e-5;
 const auto spring = contact::normal_contact(thesis::contact(), thesis::reduced_mass);
 const sampled_contact::SampledHamaker::Attraction hamaker_law{
-    hamaker::Law<hamaker::SmallGap>({A, cutoff, outer}),
+    hamaker::HamakerLaw<hamaker::SmallGap>({A, cutoff, outer}),
     two_spheres(thesis::radius, thesis::radius)};
 
 SampledEscape hamaker_at(double step) {
@@ -23,7 +23,7 @@ SampledEscape well_at(double step, double of_depth = depth) {
   return sampled_escape(spring, contact::Adhesion{0.0, 1e-5, of_depth}, 2.0 * thesis::radius, step);
 }
 double exact_hamaker() {
-  const auto a = contact::adhesion_of(hamaker::Law<hamaker::SmallGap>({A, cutoff, outer}),
+  const auto a = contact::adhesion_of(hamaker::HamakerLaw<hamaker::SmallGap>({A, cutoff, outer}),
                                       two_spheres(thesis::radius, thesis::radius));
   return contact::AdhesiveContact(spring, a).escape_velocity();
 }

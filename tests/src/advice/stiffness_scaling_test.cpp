@@ -25,7 +25,7 @@ contact::AdhesiveContact softened(const contact::AdhesiveContact& real, double r
 }
 
 /// F_ad and tail of A R*/(6 H^2) at R*/6 = 1.
-contact::Adhesion adhesion_of(const hamaker::Parameters& c) {
+contact::Adhesion adhesion_of(const hamaker::HamakerParameters& c) {
   return {c.hamaker_constant / (c.surface_cutoff * c.surface_cutoff), c.surface_cutoff,
           c.hamaker_constant * (1.0 / c.surface_cutoff - 1.0 / c.outer_cutoff)};
 }
@@ -78,10 +78,10 @@ TEST(StiffnessScaling, OverlapGrowsAsTheContactTime) {
 }
 
 TEST(StiffnessScaling, HamakerParametersGiveTheScaledForceAndTheSameWell) {
-  const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
+  const hamaker::HamakerParameters real{5e-19, 4e-10, 1e-7};
   for (double ratio = 1.0; ratio <= 1.1e4; ratio *= 10.0) {
     const StiffnessScaling scaling(real_stiffness, real_stiffness / ratio);
-    const hamaker::Parameters soft = scaling.hamaker(real);
+    const hamaker::HamakerParameters soft = scaling.hamaker(real);
     // Near f = k (2 - k) the root amplifies roundings; f = 0.01 leaves 1 - 0.8.
     EXPECT_NEAR(adhesion_of(soft).force / (scaling.factor() * adhesion_of(real).force), 1.0, 1e-13);
     EXPECT_NEAR(adhesion_of(soft).well_energy() / adhesion_of(real).well_energy(), 1.0, 1e-13);
@@ -91,7 +91,7 @@ TEST(StiffnessScaling, HamakerParametersGiveTheScaledForceAndTheSameWell) {
 }
 
 TEST(StiffnessScaling, HamakerConstantAndCutoffGrowAlikeWithoutOuterCutoff) {
-  const hamaker::Parameters soft = StiffnessScaling(1e4, 1e2).hamaker({5e-19, 4e-10, 1e6});
+  const hamaker::HamakerParameters soft = StiffnessScaling(1e4, 1e2).hamaker({5e-19, 4e-10, 1e6});
   EXPECT_NEAR(soft.hamaker_constant / 5e-18, 1.0, 1e-14);
   EXPECT_NEAR(soft.surface_cutoff / 4e-9, 1.0, 1e-14);
 }
@@ -109,7 +109,7 @@ contact::ContactParameters hertz(double young, double e, double work_of_adhesion
   return p;
 }
 
-double escape_of_hertz(double young, double e, const hamaker::Parameters& h) {
+double escape_of_hertz(double young, double e, const hamaker::HamakerParameters& h) {
   return escape_velocity(
       contact::HertzSpringDashpot::from_restitution(hertz(young, e).modulus, reduced_radius, e,
                                                     reduced_mass),
@@ -138,10 +138,10 @@ StiffnessScaling from_real(double young) { return {real_young, young, hertz_powe
 // Within 1e-3: the velocities are bisected to 1e-5, of impacts in steps of t_c/1000, whose error is
 // of second order and at t_c/20 2e-4 (docs/verification/contact_motion.md).
 TEST(StiffnessScaling, KeepsTheEscapeVelocityOfHertzsContact) {
-  const hamaker::Parameters real{7.49e-19, 4e-10, 1e-7};
+  const hamaker::HamakerParameters real{7.49e-19, 4e-10, 1e-7};
   for (const double e : {0.5, 0.9, 0.99})
     for (const double young : {5e9, 5e8, 5e6}) {
-      const hamaker::Parameters soft = from_real(young).hamaker(real);
+      const hamaker::HamakerParameters soft = from_real(young).hamaker(real);
       EXPECT_NEAR(escape_of_hertz(young, e, soft) / escape_of_hertz(real_young, e, real), 1.0, 1e-3)
           << e << ' ' << young;
     }
@@ -149,7 +149,7 @@ TEST(StiffnessScaling, KeepsTheEscapeVelocityOfHertzsContact) {
 
 TEST(StiffnessScaling, ASoftHertzContactWithoutItSticksMore) {
   // Of the force alone v_esc ~ F_ad^(5/6)/k^(1/3); the well adds to both.
-  const hamaker::Parameters real{7.49e-19, 4e-10, 1e-7};
+  const hamaker::HamakerParameters real{7.49e-19, 4e-10, 1e-7};
   EXPECT_GT(escape_of_hertz(5e6, 0.9, real), 5.0 * escape_of_hertz(real_young, 0.9, real));
 }
 
@@ -198,7 +198,7 @@ TEST(StiffnessScaling, RefusesWhatCannotBe) {
 }
 
 TEST(ForStiffness, ScalesToKeepTheEscapeVelocityAndLeavesToKeepTheForce) {
-  const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
+  const hamaker::HamakerParameters real{5e-19, 4e-10, 1e-7};
   const auto used = [&](const Material& m) { return for_stiffness(100.0, m, real); };
   EXPECT_EQ(used({1e4, Keep::escape_velocity}).surface_cutoff,
             StiffnessScaling(1e4, 100.0).hamaker(real).surface_cutoff);
@@ -210,7 +210,7 @@ TEST(ForStiffness, ScalesToKeepTheEscapeVelocityAndLeavesToKeepTheForce) {
 }
 
 TEST(ForStiffness, LogSaysWhatIsKept) {
-  const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
+  const hamaker::HamakerParameters real{5e-19, 4e-10, 1e-7};
   const auto note = [&](const Material& m) {
     return scaling_note(100.0, m, real, for_stiffness(100.0, m, real));
   };
@@ -242,8 +242,8 @@ TEST(Material, MixedIsTheGeometricMeanOfWhatBothTell) {
   const Material a{100.0, Keep::force}, b{400.0, Keep::force};
   EXPECT_DOUBLE_EQ(mixed(a, b).stiffness, 200.0);
   EXPECT_EQ(mixed(a, b).keep, Keep::force);
-  EXPECT_FALSE(mixed(a, {}).is_given());
-  EXPECT_FALSE(mixed({}, {0.0, Keep::force}).is_given());
+  EXPECT_FALSE(mixed(a, {}).is_specified());
+  EXPECT_FALSE(mixed({}, {0.0, Keep::force}).is_specified());
   // 2/E* = 1/E*_a + 1/E*_b, as of contacts.
   const Material c{1e9, Keep::force, hertz_power}, d{3e9, Keep::force, hertz_power};
   EXPECT_DOUBLE_EQ(mixed(c, d).stiffness, 1.5e9);

@@ -11,7 +11,7 @@
 namespace cohesion::bubbles {
 namespace {
 
-const Box box{{0.0, 0.0, 0.0}, {1.0, 1.0, 3.0}, {false, true, false}};
+const BubbleBox box{{0.0, 0.0, 0.0}, {1.0, 1.0, 3.0}, {false, true, false}};
 constexpr double rounding = 1e-15;
 
 Bubble bubble(long number, const Vector3& at, double radius, const Vector3& velocity = {}) {
@@ -76,7 +76,7 @@ TEST(Bubbles, MergeAcrossPeriodicBordersOnly) {
   EXPECT_TRUE(
       mergers({bubble(1, {0.01, 0.5, 1.0}, 0.03), bubble(2, {0.98, 0.5, 1.0}, 0.03)}, box, 1.0, 0.0)
           .empty());
-  const Box upright{box.low, box.high, {false, false, true}};
+  const BubbleBox upright{box.low, box.high, {false, false, true}};
   EXPECT_EQ(mergers({bubble(1, {0.5, 0.5, 0.01}, 0.03), bubble(2, {0.5, 0.5, 2.98}, 0.03)}, upright,
                     1.0, 0.0)
                 .size(),
@@ -141,7 +141,7 @@ TEST(Bubbles, RoundsKeepCountAndVolume) {
   Nozzles nozzles(3, 3, {0.5, 0.5, 0.1}, 0.2, 0.02, sphere_volume(0.04));
   nozzles.grow_up_to(sphere_volume(0.06));
   std::vector<Bubble> bubbles;
-  Totals totals;
+  BubbleTotals totals;
   long next = 1;
   double time = 0.0;
   for (int round = 0; round < 4000; round++) {
@@ -241,7 +241,7 @@ TEST(Bubbles, WhatNozzlesBlowIntoABubbleKeepsTheSums) {
   std::vector<Bubble> all{bubble(1, {0.5, 0.52, 0.15}, 0.05, {0.1, 0.0, -0.2})};
   std::vector<Bubble> apart = all;
   apart.push_back(bubble(2, nozzles.place(0), 0.04, rules.velocity));
-  Totals totals;
+  BubbleTotals totals;
   long next = 2;
   const Events events = round_of_events(all, rules, box, &nozzles, 0.0, next, totals);
   ASSERT_EQ(events.fed.size(), 1U);

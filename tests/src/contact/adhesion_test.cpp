@@ -9,7 +9,7 @@
 namespace cohesion::contact {
 
 TEST(Adhesion, IsTheLawsForceAtTheCutOffAndItsTailEnergy) {
-  const hamaker::Law<hamaker::SmallGap> law({5e-19, 4e-10, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({5e-19, 4e-10, 1e-7});
   const PairGeometry geometry = two_spheres(0.5e-3, 0.5e-3);
   const Adhesion a = adhesion_of(law, geometry);
   // F = A r/(12 H^2), energy F H (1 - H_cut/H_out); a few roundings.
@@ -20,7 +20,7 @@ TEST(Adhesion, IsTheLawsForceAtTheCutOffAndItsTailEnergy) {
 }
 
 TEST(Adhesion, HasNoRangeWithoutForce) {
-  const hamaker::Law<hamaker::SmallGap> law({0.0, 4e-10, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({0.0, 4e-10, 1e-7});
   const Adhesion a = adhesion_of(law, two_spheres(0.5e-3, 0.5e-3));
   EXPECT_EQ(a.force, 0.0);
   EXPECT_EQ(a.cutoff, 0.0);

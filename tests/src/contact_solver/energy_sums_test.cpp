@@ -128,7 +128,7 @@ TEST(EnergySums, LossesCountWhenTheirTimeHasCome) {
     sums.store(fraction, energies.stored);
     sums.lose(fraction, energies);
   }
-  const auto entry = [&](energy_tally::Entry which) {
+  const auto entry = [&](energy_tally::EnergyEntry which) {
     double entries[energy_tally::ENTRIES] = {};
     sums.add_so_far(1.0, entries);
     sums.add_stored(entries);

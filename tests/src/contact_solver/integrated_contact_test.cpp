@@ -24,7 +24,7 @@ Grains glass(double diameter, double modulus, double restitution) {
   return {modulus, 0.25 * diameter, restitution, 0.5 * mass};
 }
 contact::Adhesion hamaker(double diameter, double constant) {
-  const hamaker::Law<hamaker::SmallGap> law({constant, 4e-10, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({constant, 4e-10, 1e-7});
   return contact::adhesion_of(law, two_spheres(0.5 * diameter, 0.5 * diameter));
 }
 

@@ -171,7 +171,7 @@ TEST(NormalMotion, ALoadCarriesAPairThroughTheTailWhereItPaysTheRest) {
 
 TEST(NormalMotion, APairPushedBeyondTheTailDoesNotLeaveFarAway) {
   // Under next to no load nothing pays for the tail on the way from there.
-  const hamaker::Law<hamaker::SmallGap> law({1e-19, 4e-10, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({1e-19, 4e-10, 1e-7});
   const contact::Adhesion a =
       contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
@@ -188,7 +188,7 @@ TEST(NormalMotion, APairPushedBeyondTheTailDoesNotLeaveFarAway) {
 TEST(NormalMotion, APairThatLosesItsLoadInTheTailTurnsRoundThere) {
   // Half of F_ad carries it through half of its way; without a load it has 0.6 U then, which the
   // tail has taken at the gap H_cut/(1 - 0.6): it turns within a step of that, and is captured.
-  const hamaker::Law<hamaker::SmallGap> law({1e-19, 4e-10, 1e-6});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({1e-19, 4e-10, 1e-6});
   const contact::Adhesion a =
       contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);

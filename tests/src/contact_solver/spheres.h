@@ -86,9 +86,9 @@ class Spheres {
         count(law, now, c);
       }
       const double inverse = 1.0 / length;
-      const Action& a = c.last.action;
+      const PairImpulse& a = c.last.action;
       push(c, a, next);
-      Action steady = a;
+      PairImpulse steady = a;
       steady.impulse -= c.last.at_edge;
       accelerate(c, steady, inverse, next);
       normal_lost_ += c.energies.before.normal_damping;
@@ -192,7 +192,7 @@ class Spheres {
     const Vector3 of_j = c.j < 0 ? Vector3{} : spheres[c.j].acceleration;
     return of_j - spheres[c.i].acceleration;
   }
-  static void push(const Contact& c, const Action& a, std::vector<Sphere>& to) {
+  static void push(const Contact& c, const PairImpulse& a, std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.v -= i.body.inverse_mass * a.impulse;
     i.spin += inverse_inertia(i.body) * a.torque_i;
@@ -201,7 +201,7 @@ class Spheres {
     j.v += j.body.inverse_mass * a.impulse;
     j.spin += inverse_inertia(j.body) * a.torque_j;
   }
-  static void accelerate(const Contact& c, const Action& a, double inverse,
+  static void accelerate(const Contact& c, const PairImpulse& a, double inverse,
                          std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.acceleration -= (inverse * i.body.inverse_mass) * a.impulse;
@@ -243,7 +243,7 @@ class Spheres {
     double done = 0.0;
     for (const Contact& c : contacts) {
       const Sphere& i = all[c.i];
-      const Action& a = c.last.action;
+      const PairImpulse& a = c.last.action;
       const Vector3 partner = c.j < 0 ? walls[-1 - c.j].velocity : all[c.j].v;
       done += dot(c.last.friction, partner - i.v) + dot(a.torque_i, i.spin);
       if (c.j >= 0) done += dot(a.torque_j, all[c.j].spin);

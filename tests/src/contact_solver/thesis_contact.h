@@ -23,7 +23,7 @@ inline contact_solver::Body particle() { return {radius, 1.0 / mass}; }
 /// F_ad = A r/(12 H_cut^2), tail energy F_ad H_cut: the small-gap form without outer cut-off, which
 /// is so far away that all it lacks is rounding.
 inline contact::Adhesion adhesion(double hamaker_constant) {
-  const hamaker::Law<hamaker::SmallGap> law({hamaker_constant, range, 1e8});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({hamaker_constant, range, 1e8});
   return contact::adhesion_of(law, two_spheres(radius, radius));
 }
 

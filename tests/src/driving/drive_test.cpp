@@ -39,7 +39,7 @@ Sums::Values sums_of(const std::vector<Particle>& all) {
 
 double kinetic(const std::vector<Particle>& all) { return 0.5 * sums_of(all)[Sums::energy]; }
 
-void act(std::vector<Particle>& all, const Action& action) {
+void act(std::vector<Particle>& all, const VelocityChange& action) {
   for (Particle& p : all) p.v += action.change(p.v, p.w);
 }
 
@@ -93,7 +93,7 @@ TEST(Drive, RescalesToTheTemperatureAndKeepsMomentum) {
       auto all = gas(1000, dimensions);
       const auto before = sums_of(all);
       const double energy = kinetic(all);
-      const Action action = rescaled(before, T, dimensions);
+      const VelocityChange action = rescaled(before, T, dimensions);
       EXPECT_EQ(action.temperature, temperature_of(before, dimensions));
       act(all, action);
       const auto after = sums_of(all);
@@ -117,7 +117,7 @@ TEST(Drive, KicksUpToTheTemperatureAndKeepsMomentum) {
     auto all = gas(1000, dimensions, 0.9);
     const auto before = sums_of(all);
     const double T = 1.01 * temperature_of(before, dimensions), energy = kinetic(all);
-    const Action action = kicked(before, T, dimensions);
+    const VelocityChange action = kicked(before, T, dimensions);
     EXPECT_GT(action.strength, 0.0);
     act(all, action);
     const auto after = sums_of(all);
@@ -143,7 +143,7 @@ TEST(Drive, KicksNothingThatIsHotEnough) {
   const auto sums = sums_of(all);
   const double found = temperature_of(sums, 3);
   for (const double T : {0.5 * found, found, found * (1 + 1e-15)}) {
-    const Action action = kicked(sums, T, 3);
+    const VelocityChange action = kicked(sums, T, 3);
     EXPECT_EQ(action.energy, 0.0);
     EXPECT_EQ(norm(action.change(all[0].v, all[0].w)), 0.0);
   }

@@ -14,7 +14,7 @@ namespace {
 const double H = 4e-10, r = 0.5e-3;
 const PairGeometry plane = sphere_and_plane(r), pair = two_spheres(r, 0.2e-3);
 
-Parameters of(double asperity) { return {1e-19, 4e-10, 1e-7, asperity}; }
+HamakerParameters of(double asperity) { return {1e-19, 4e-10, 1e-7, asperity}; }
 
 template <class Smooth>
 class Asperity : public testing::Test {

@@ -7,10 +7,10 @@
 namespace cohesion::hamaker {
 namespace {
 
-const Parameters smooth{1e-19, 4e-10, 1e-4}, rough{1e-19, 4e-10, 1e-4, 1e-8};
+const HamakerParameters smooth{1e-19, 4e-10, 1e-4}, rough{1e-19, 4e-10, 1e-4, 1e-8};
 const PairGeometry pair = two_spheres(1e-3, 2e-3);
 
-AnyLaw named(const char* name, const Parameters& p, bool knows_asperities) {
+AnyLaw named(const char* name, const HamakerParameters& p, bool knows_asperities) {
   return find_by_name(forms, "form", name).law(p, knows_asperities);
 }
 
@@ -23,11 +23,13 @@ double force(const AnyLaw& law, double gap) {
 TEST(HamakerForms, NamesLeadToTheirLaws) {
   for (const double gap : {1e-9, 5e-5}) {
     EXPECT_EQ(force(named("small_gap", smooth, false), gap),
-              Law<SmallGap>(smooth).force(gap, pair));
-    EXPECT_EQ(force(named("exact", smooth, false), gap), Law<Exact>(smooth).force(gap, pair));
+              HamakerLaw<SmallGap>(smooth).force(gap, pair));
+    EXPECT_EQ(force(named("exact", smooth, false), gap),
+              HamakerLaw<Exact>(smooth).force(gap, pair));
     EXPECT_EQ(force(named("small_gap", rough, true), gap),
-              Law<Rough<SmallGap>>(rough).force(gap, pair));
-    EXPECT_EQ(force(named("exact", rough, true), gap), Law<Rough<Exact>>(rough).force(gap, pair));
+              HamakerLaw<Rough<SmallGap>>(rough).force(gap, pair));
+    EXPECT_EQ(force(named("exact", rough, true), gap),
+              HamakerLaw<Rough<Exact>>(rough).force(gap, pair));
   }
 }
 

@@ -15,18 +15,20 @@ const double eps = std::numeric_limits<double>::epsilon();
 template <class Law>
 struct Subject;
 template <class Form>
-struct Subject<Law<Form>> {
-  static Law<Form> with(double constant) { return Law<Form>({constant, H_cut, H_out}); }
+struct Subject<HamakerLaw<Form>> {
+  static HamakerLaw<Form> with(double constant) {
+    return HamakerLaw<Form>({constant, H_cut, H_out});
+  }
 };
 template <class Smooth>
-struct Subject<Law<Rough<Smooth>>> {
-  static Law<Rough<Smooth>> with(double constant) {
-    return Law<Rough<Smooth>>({constant, H_cut, H_out, asperity});
+struct Subject<HamakerLaw<Rough<Smooth>>> {
+  static HamakerLaw<Rough<Smooth>> with(double constant) {
+    return HamakerLaw<Rough<Smooth>>({constant, H_cut, H_out, asperity});
   }
 };
 
 template <class Chosen>
-class HamakerLaw : public testing::Test {
+class EveryHamakerLaw : public testing::Test {
  protected:
   const Chosen law = Subject<Chosen>::with(A);
   const PairGeometry pairs[4] = {two_spheres(r, r), two_spheres(r, 0.2e-3), two_spheres(r, 3.0),
@@ -49,12 +51,13 @@ class HamakerLaw : public testing::Test {
   }
 };
 
-using AllLaws = testing::Types<Law<SmallGap>, Law<Exact>, Law<Rough<SmallGap>>, Law<Rough<Exact>>>;
-TYPED_TEST_SUITE(HamakerLaw, AllLaws);
+using AllLaws = testing::Types<HamakerLaw<SmallGap>, HamakerLaw<Exact>, HamakerLaw<Rough<SmallGap>>,
+                               HamakerLaw<Rough<Exact>>>;
+TYPED_TEST_SUITE(EveryHamakerLaw, AllLaws);
 
 }  // namespace
 
-TYPED_TEST(HamakerLaw, ForceIsTheSurfaceAdhesionBelowTheSurfaceCutoff) {
+TYPED_TEST(EveryHamakerLaw, ForceIsTheSurfaceAdhesionBelowTheSurfaceCutoff) {
   for (const auto& pair : this->pairs) {
     const double adhesion = this->law.adhesion_force(pair);
     EXPECT_GT(adhesion, 0.0);
@@ -65,14 +68,14 @@ TYPED_TEST(HamakerLaw, ForceIsTheSurfaceAdhesionBelowTheSurfaceCutoff) {
   }
 }
 
-TYPED_TEST(HamakerLaw, EnergyIsContinuousAtTheSurfaceCutoff) {
+TYPED_TEST(EveryHamakerLaw, EnergyIsContinuousAtTheSurfaceCutoff) {
   for (const auto& pair : this->pairs) {
     const double below = this->law.energy(H_cut * (1.0 - eps), pair);
     EXPECT_NEAR(below / this->law.energy(H_cut, pair), 1.0, 40.0 * eps);
   }
 }
 
-TYPED_TEST(HamakerLaw, ForceAndEnergyEndAtTheOuterCutoff) {
+TYPED_TEST(EveryHamakerLaw, ForceAndEnergyEndAtTheOuterCutoff) {
   for (const auto& pair : this->pairs) {
     const double inside = H_out * (1.0 - 1e-12);
     EXPECT_GT(this->law.force(inside, pair), 0.0);
@@ -85,7 +88,7 @@ TYPED_TEST(HamakerLaw, ForceAndEnergyEndAtTheOuterCutoff) {
   }
 }
 
-TYPED_TEST(HamakerLaw, EnergyIsMinusTheWorkOfTheForce) {
+TYPED_TEST(EveryHamakerLaw, EnergyIsMinusTheWorkOfTheForce) {
   for (const auto& pair : this->pairs)
     for (const double gap : {-1e-8, -1e-10, 0.0, 2e-10, 4e-10, 1e-9, 5e-8, 2e-5})
       // Simpson in 8000 intervals of 0.0016 in ln(H): error 5^4 (0.0016)^4/180 for H^-5, below
@@ -93,7 +96,7 @@ TYPED_TEST(HamakerLaw, EnergyIsMinusTheWorkOfTheForce) {
       EXPECT_NEAR(this->law.energy(gap, pair) / -this->work(gap, pair), 1.0, 2e-12) << gap;
 }
 
-TYPED_TEST(HamakerLaw, ForceIsTheSlopeOfTheEnergy) {
+TYPED_TEST(EveryHamakerLaw, ForceIsTheSlopeOfTheEnergy) {
   for (const auto& pair : this->pairs)
     for (const double gap : {-3e-9, 1e-10, 5e-10, 2e-9, 2e-8, 6e-8, 1e-6, 3e-5}) {
       const double h = std::abs(gap) / 1024.0;
@@ -105,14 +108,14 @@ TYPED_TEST(HamakerLaw, ForceIsTheSlopeOfTheEnergy) {
     }
 }
 
-TYPED_TEST(HamakerLaw, TailIsTheEnergyBetweenTheCutoffs) {
+TYPED_TEST(EveryHamakerLaw, TailIsTheEnergyBetweenTheCutoffs) {
   for (const auto& pair : this->pairs) {
     EXPECT_GT(this->law.tail_energy(pair), 0.0);
     EXPECT_DOUBLE_EQ(this->law.tail_energy(pair), -this->law.energy(H_cut, pair));
   }
 }
 
-TYPED_TEST(HamakerLaw, BarrierIsThatOfAPairPulledThroughTheTail) {
+TYPED_TEST(EveryHamakerLaw, BarrierIsThatOfAPairPulledThroughTheTail) {
   // Moved slowly through the tail, gap by gap, it does work against the attraction and gets that of
   // the load: the most that it is short of on the way is what it has to bring. Trapezoids over gaps
   // d = 6.2e-4 apart in ln(H) err by n (n + 1) d^2/12 < 1.8e-6 of the work, n < 7 the slope of ln
@@ -140,7 +143,7 @@ TYPED_TEST(HamakerLaw, BarrierIsThatOfAPairPulledThroughTheTail) {
       }
 }
 
-TYPED_TEST(HamakerLaw, BarrierIsTheWholeTailWithoutLoadAndNoneAtTheAdhesionForce) {
+TYPED_TEST(EveryHamakerLaw, BarrierIsTheWholeTailWithoutLoadAndNoneAtTheAdhesionForce) {
   for (const auto& pair : this->pairs) {
     const double adhesion = this->law.adhesion_force(pair);
     EXPECT_DOUBLE_EQ(this->law.barrier(0.0, H_cut, pair), this->law.tail_energy(pair));
@@ -154,7 +157,7 @@ TYPED_TEST(HamakerLaw, BarrierIsTheWholeTailWithoutLoadAndNoneAtTheAdhesionForce
 
 TEST(HamakerBarrier, OfTheFormOfSmallGapsIsInClosedForm) {
   const double out = 1e-7;
-  const Law<SmallGap> law({A, H_cut, out});
+  const HamakerLaw<SmallGap> law({A, H_cut, out});
   const PairGeometry pair = two_spheres(r, r);
   const double adhesion = law.adhesion_force(pair), k = H_cut / out;
   // Both branches and where they meet. The difference of two energies rounds to a few eps.
@@ -167,7 +170,7 @@ TEST(HamakerBarrier, OfTheFormOfSmallGapsIsInClosedForm) {
   }
 }
 
-TYPED_TEST(HamakerLaw, PlaneIsTheLimitOfALargeSphere) {
+TYPED_TEST(EveryHamakerLaw, PlaneIsTheLimitOfALargeSphere) {
   for (const double gap : {0.0, 1e-9, 1e-7, 1e-5})
     for (const double ratio : {1e3, 1e6, 1e9}) {
       const PairGeometry large = two_spheres(r, ratio * r);
@@ -180,7 +183,7 @@ TYPED_TEST(HamakerLaw, PlaneIsTheLimitOfALargeSphere) {
     }
 }
 
-TYPED_TEST(HamakerLaw, ScalesWithTheHamakerConstantAndVanishesWithoutIt) {
+TYPED_TEST(EveryHamakerLaw, ScalesWithTheHamakerConstantAndVanishesWithoutIt) {
   const auto twice = Subject<TypeParam>::with(2.0 * A), off = Subject<TypeParam>::with(0.0);
   for (const auto& pair : this->pairs) {
     EXPECT_DOUBLE_EQ(twice.force(1e-9, pair), 2.0 * this->law.force(1e-9, pair));
@@ -190,9 +193,9 @@ TYPED_TEST(HamakerLaw, ScalesWithTheHamakerConstantAndVanishesWithoutIt) {
   }
 }
 
-TYPED_TEST(HamakerLaw, RefusesWhatCannotBe) {
+TYPED_TEST(EveryHamakerLaw, RefusesWhatCannotBe) {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  const auto refused = [](const Parameters& p, const char* part) {
+  const auto refused = [](const HamakerParameters& p, const char* part) {
     expect_refused([&] { TypeParam refused_law(p); }, part);
   };
   for (const double bad : {-1e-30, nan, inf}) {

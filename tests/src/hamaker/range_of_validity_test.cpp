@@ -12,7 +12,7 @@ const Form& exact = forms[1];
 
 TEST(RangeOfValidity, SmallGapIsTooStrongByGapOverReducedRadius) {
   const PairGeometry g = two_spheres(2.0, 2.0);
-  const Parameters p{1.0, 1e-3, 1.0};
+  const HamakerParameters p{1.0, 1e-3, 1.0};
   // Where the limits stand: a tenth too much, and at least as much again as there is.
   const double at_surface_limit = small_gap.largest_surface_cutoff * g.reduced_radius;
   EXPECT_NEAR(SmallGap(p).force(at_surface_limit, g) / Exact(p).force(at_surface_limit, g), 1.1,

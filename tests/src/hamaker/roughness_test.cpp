@@ -18,7 +18,7 @@ namespace {
 
 const double A = 1e-19, H_cut = 4e-10, H_out = 1e-7;
 
-Parameters of(const Roughness& r) {
+HamakerParameters of(const Roughness& r) {
   const Asperity a = asperity_of(r);
   return {A, H_cut, H_out, a.radius, a.height};
 }
@@ -57,7 +57,8 @@ TEST(Roughness, ForceOfContactIsTheFormulaAsItIsPrinted) {
                                (1.0 / (1.0 + 58.14 * R * rms / (lambda * lambda)) +
                                 1.0 / std::pow(1.0 + 1.817 * rms / H_cut, 2));
         // 32 * 1.817 = 58.144, of which 58.14 are printed: 7e-5.
-        EXPECT_NEAR(Law<Rough<SmallGap>>(of({rms, lambda})).adhesion_force(g) / printed, 1.0, 7e-5);
+        EXPECT_NEAR(HamakerLaw<Rough<SmallGap>>(of({rms, lambda})).adhesion_force(g) / printed, 1.0,
+                    7e-5);
       }
 }
 
@@ -81,9 +82,9 @@ TEST(Roughness, FlatCapsAreFeltTwiceAndRefused) {
   // rms far below H_cut, r_a far above R*: 1/(1 + R*/r_a) + 1/(1 + h_a/H_cut)^2 -> 2; here R*/r_a =
   // 5.8e-10 and 2 h_a/H_cut = 9.1e-5.
   const PairGeometry g = two_spheres(2e-5, 2e-5);
-  const Parameters flat = of({1e-14, 1e-3});
-  EXPECT_NEAR(Law<Rough<SmallGap>>(flat).adhesion_force(g) /
-                  Law<SmallGap>({A, H_cut, H_out}).adhesion_force(g),
+  const HamakerParameters flat = of({1e-14, 1e-3});
+  EXPECT_NEAR(HamakerLaw<Rough<SmallGap>>(flat).adhesion_force(g) /
+                  HamakerLaw<SmallGap>({A, H_cut, H_out}).adhesion_force(g),
               2.0, 1e-4);
   for (const Form& form : forms) {
     expect_refused([&] { require_weakened_by_asperities(form, flat, g); },
@@ -171,10 +172,11 @@ TEST(AsperityHeightOfParameters, IsChecked) {
 }
 
 TEST(AsperityHeightOfParameters, OfUnlikeMaterialsIsTheHigherWithItsRadius) {
-  const Parameters smooth{A, H_cut, H_out}, hemisphere{A, H_cut, H_out, 1e-8};
-  const Parameters low = of({1e-9, 1e-6}), high = of({1e-8, 1e-6});
-  const auto expect_mixed = [](const Parameters& a, const Parameters& b, const Parameters& wanted) {
-    for (const Parameters& m : {mixed(a, b), mixed(b, a)}) {
+  const HamakerParameters smooth{A, H_cut, H_out}, hemisphere{A, H_cut, H_out, 1e-8};
+  const HamakerParameters low = of({1e-9, 1e-6}), high = of({1e-8, 1e-6});
+  const auto expect_mixed = [](const HamakerParameters& a, const HamakerParameters& b,
+                               const HamakerParameters& wanted) {
+    for (const HamakerParameters& m : {mixed(a, b), mixed(b, a)}) {
       EXPECT_EQ(m.asperity_radius, wanted.asperity_radius);
       EXPECT_EQ(m.asperity_height, wanted.asperity_height);
     }

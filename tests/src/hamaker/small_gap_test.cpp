@@ -14,7 +14,7 @@ const SmallGap form(none);
 }  // namespace
 
 TEST(SmallGap, EqualSpheresAttractByAROver12HSquared) {
-  const Law<SmallGap> law({A, H_cut, H_out});
+  const HamakerLaw<SmallGap> law({A, H_cut, H_out});
   for (const double gap : {4e-10, 1e-9, 3.7e-8})
     EXPECT_DOUBLE_EQ(law.force(gap, two_spheres(r, r)), A * r / (12.0 * gap * gap));
 }
@@ -42,14 +42,14 @@ TEST(SmallGap, PlaneAttractsTwiceAsStronglyAsAnEqualSphere) {
 
 TEST(SmallGap, SurfaceAdhesionIsThatOfTheSurfaceEnergy) {
   // F_ad = 2 pi gamma r_eff with gamma = A/(24 pi H_cut^2) and r_eff = r of equal spheres.
-  const Law<SmallGap> law({A, H_cut, H_out});
+  const HamakerLaw<SmallGap> law({A, H_cut, H_out});
   const double gamma = A / (24.0 * pi * H_cut * H_cut);
   EXPECT_NEAR(law.adhesion_force(two_spheres(r, r)) / (2.0 * pi * gamma * r), 1.0, 1e-15);
 }
 
 TEST(SmallGap, ReachesTheForceToWeightRatioOfTheThesis) {
   // A = 1e-18 J on 1 mm spheres of 2650 kg/m3: "ratio 20", two digits.
-  const Law<SmallGap> strong({1e-18, H_cut, H_out});
+  const HamakerLaw<SmallGap> strong({1e-18, H_cut, H_out});
   const double weight = 2650.0 * sphere_volume(r) * 9.81;
   EXPECT_NEAR(strong.adhesion_force(two_spheres(r, r)) / weight, 20.0, 1.0);
 }

@@ -36,7 +36,7 @@ inline double second_virial_of_well(double lambda, double depth_over_t) {
 /// InvalidParameter unless r, T > 0, and where |U|/T at touch is so large that its exponential is
 /// beyond all numbers.
 template <class Form>
-double second_virial_of_attraction(const hamaker::Law<Form>& law, double radius,
+double second_virial_of_attraction(const hamaker::HamakerLaw<Form>& law, double radius,
                                    double temperature) {
   require_positive("radius of the spheres", radius);
   require_positive("temperature T", temperature);

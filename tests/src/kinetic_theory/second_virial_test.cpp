@@ -7,7 +7,7 @@
 namespace cohesion::kinetic_theory {
 namespace {
 
-using Attraction = hamaker::Law<hamaker::SmallGap>;
+using Attraction = hamaker::HamakerLaw<hamaker::SmallGap>;
 constexpr double r = 0.5, d = 1.0;
 
 /// A law with the surface adhesion `force` and the cut-offs, for two spheres of the radius r, whose

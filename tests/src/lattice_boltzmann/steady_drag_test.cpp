@@ -11,17 +11,17 @@ namespace {
 
 const CubicArray &sc = cubic_arrays[0], &bcc = cubic_arrays[1], &fcc = cubic_arrays[2];
 
-Course slow(double viscosity, double force = 1e-6, Vector direction = {1.0, 0.0, 0.0}) {
-  Course course{viscosity, direction};
-  for (double& f : course.body_force) f *= force;
-  course.tolerance = 1e-8;
-  return course;
+FlowSettings slow(double viscosity, double force = 1e-6, Vector direction = {1.0, 0.0, 0.0}) {
+  FlowSettings settings{viscosity, direction};
+  for (double& f : settings.body_force) f *= force;
+  settings.tolerance = 1e-8;
+  return settings;
 }
 
 /// K = F_total/(3 pi mu d U)
-double coefficient(const Array& array, const Course& course) {
-  const SteadyDrag drag = steady_drag(array, course);
-  return mean_drag(drag, array, course) / (1.0 - solid_fraction(array));
+double coefficient(const Array& array, const FlowSettings& settings) {
+  const SteadyDrag drag = steady_drag(array, settings);
+  return mean_drag(drag, array, settings) / (1.0 - solid_fraction(array));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ TEST(SteadyDrag, IsTheSameAlongAllDirections) {
 TEST(SteadyDrag, InertiaAddsToIt) {
   const Array array = cubic_array(sc, 0.3, 8.0);
   const double creeping = coefficient(array, slow(0.1));
-  const Course fast = slow(0.01, 1e-4);
+  const FlowSettings fast = slow(0.01, 1e-4);
   const SteadyDrag drag = steady_drag(array, fast);
   EXPECT_GT(reynolds(drag, array, fast), 3.0);
   EXPECT_GT(mean_drag(drag, array, fast) / (1.0 - solid_fraction(array)), 1.005 * creeping);
@@ -79,11 +79,11 @@ TEST(SteadyDrag, InertiaAddsToIt) {
 // the round-off of its forces, for 20 times as long as it takes to get there.
 TEST(SteadyDrag, CoarseFlowWithInertiaStays) {
   const Array array = cubic_array(sc, 0.45, 8.0);
-  Course course = slow(0.016, 1e-6);  // Re = 10
-  course.speed = 0.02;
-  course.tolerance = 1e-9;
-  DrivenFlow driven(array, course, one_by_one);
-  const double force = size_of(steady_drag(driven, course).body_force);
+  FlowSettings settings = slow(0.016, 1e-6);  // Re = 10
+  settings.speed = 0.02;
+  settings.tolerance = 1e-9;
+  DrivenFlow driven(array, settings, one_by_one);
+  const double force = size_of(steady_drag(driven, settings).body_force);
   driven.advance(30000);
   const SteadyDrag later = driven.measured(100);
   EXPECT_NEAR(size_of(later.body_force) / force, 1.0, 1e-8);
@@ -102,12 +102,12 @@ TEST(YetToCome, IsNotZeroWhereASwingTurns) {
 // The force found for a speed is the force that gives the speed: to the tolerance of both.
 TEST(SteadyDrag, LeadsToASpeed) {
   const Array array = cubic_array(sc, 0.3, 8.0);
-  Course led = slow(0.05, 1e-7);
+  FlowSettings led = slow(0.05, 1e-7);
   led.speed = 0.01;
   led.tolerance = 1e-5;
   const SteadyDrag drag = steady_drag(array, led);
   EXPECT_NEAR(drag.superficial[0] / 0.01, 1.0, 2e-5);
-  Course driven = slow(0.05, drag.body_force[0]);
+  FlowSettings driven = slow(0.05, drag.body_force[0]);
   driven.tolerance = 1e-5;
   EXPECT_NEAR(steady_drag(array, driven).superficial[0] / 0.01, 1.0, 4e-5);
 }
@@ -116,26 +116,26 @@ TEST(SteadyDrag, LeadsToASpeed) {
 // never met, has the drag of the steady one to what is left after 4000 steps, some 1e-9.
 TEST(SteadyDrag, AverageOfASteadyFlowIsItsDrag) {
   const Array array = cubic_array(sc, 0.3, 8.0);
-  Course course = slow(0.05, 1e-7);
-  course.speed = 0.01;
-  const SteadyDrag steady = steady_drag(array, course);
-  course.tolerance = 0.0;
-  course.average = 4000;
-  const SteadyDrag mean = steady_drag(array, course);
-  EXPECT_NEAR(mean_drag(mean, array, course) / mean_drag(steady, array, course), 1.0, 1e-7);
+  FlowSettings settings = slow(0.05, 1e-7);
+  settings.speed = 0.01;
+  const SteadyDrag steady = steady_drag(array, settings);
+  settings.tolerance = 0.0;
+  settings.average = 4000;
+  const SteadyDrag mean = steady_drag(array, settings);
+  EXPECT_NEAR(mean_drag(mean, array, settings) / mean_drag(steady, array, settings), 1.0, 1e-7);
   EXPECT_EQ(mean.steps, 8000);
   EXPECT_LT(mean.swing, 1e-7);
   for (std::size_t s = 0; s < array.spheres.size(); s++)
-    EXPECT_NEAR(drag_on(mean, array, course, s) / drag_on(steady, array, course, s), 1.0, 1e-7);
+    EXPECT_NEAR(drag_on(mean, array, settings, s) / drag_on(steady, array, settings, s), 1.0, 1e-7);
 }
 
 TEST(SteadyDrag, WhatCannotBeIsRefused) {
   EXPECT_THROW(cubic_array(sc, 0.6, 12.0), InvalidParameter);
   EXPECT_THROW(cubic_array(fcc, 0.3, 2.0), InvalidParameter);
   EXPECT_THROW(steady_drag(cubic_array(sc, 0.3, 8.0), slow(0.0)), InvalidParameter);
-  Course short_course = slow(0.1);
-  short_course.most_steps = 100;
-  EXPECT_THROW(steady_drag(cubic_array(sc, 0.3, 8.0), short_course), InvalidParameter);
+  FlowSettings short_run = slow(0.1);
+  short_run.most_steps = 100;
+  EXPECT_THROW(steady_drag(cubic_array(sc, 0.3, 8.0), short_run), InvalidParameter);
 }
 
 }  // namespace cohesion::lattice_boltzmann

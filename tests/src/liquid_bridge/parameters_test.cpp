@@ -15,20 +15,21 @@ namespace cohesion::liquid_bridge {
 TEST(LiquidBridge, RefusesWhatNoBridgeCanBe) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const Parameters p :
-       {Parameters{-1e-6, 1e-5}, Parameters{nan, 1e-5}, Parameters{infinity, 1e-5},
-        Parameters{1e-6, -1e-5}, Parameters{1e-6, nan}, Parameters{1e-6, infinity},
-        Parameters{1e-6, 0.0}, Parameters{0.0, -1e-5}})
+  for (const LiquidBridgeParameters p :
+       {LiquidBridgeParameters{-1e-6, 1e-5}, LiquidBridgeParameters{nan, 1e-5},
+        LiquidBridgeParameters{infinity, 1e-5}, LiquidBridgeParameters{1e-6, -1e-5},
+        LiquidBridgeParameters{1e-6, nan}, LiquidBridgeParameters{1e-6, infinity},
+        LiquidBridgeParameters{1e-6, 0.0}, LiquidBridgeParameters{0.0, -1e-5}})
     EXPECT_THROW(require_valid(p), InvalidParameter) << p.force << " " << p.rupture_gap;
   EXPECT_NO_THROW(require_valid({1e-6, 1e-5}));
   EXPECT_NO_THROW(require_valid({0.0, 0.0}));
 }
 
 TEST(LiquidBridge, IsMixedByGeometricMeans) {
-  const Parameters m = mixed({1e-6, 4e-5}, {4e-6, 1e-5});
+  const LiquidBridgeParameters m = mixed({1e-6, 4e-5}, {4e-6, 1e-5});
   EXPECT_DOUBLE_EQ(m.force, 2e-6);
   EXPECT_DOUBLE_EQ(m.rupture_gap, 2e-5);
-  const Parameters dry = mixed({1e-6, 4e-5}, {});
+  const LiquidBridgeParameters dry = mixed({1e-6, 4e-5}, {});
   EXPECT_EQ(dry.force, 0.0);
   EXPECT_NO_THROW(require_valid(dry));
 }
@@ -91,8 +92,8 @@ TEST(LiquidBridge, BreaksBelowTheRadiusOfTheSmallestParticle) {
 }
 
 TEST(LiquidBridge, OfLiquidsIsMixedByGeometricMeans) {
-  const Parameters m = mixed(capillary(0.02, 0.0, 1e-13), capillary(0.08, 0.0, 4e-13));
-  const Parameters expected = capillary(0.04, 0.0, 2e-13);
+  const LiquidBridgeParameters m = mixed(capillary(0.02, 0.0, 1e-13), capillary(0.08, 0.0, 4e-13));
+  const LiquidBridgeParameters expected = capillary(0.04, 0.0, 2e-13);
   EXPECT_DOUBLE_EQ(m.tension, expected.tension);
   EXPECT_DOUBLE_EQ(m.volume, expected.volume);
   EXPECT_DOUBLE_EQ(m.rupture_gap, expected.rupture_gap);

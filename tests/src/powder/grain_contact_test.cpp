@@ -68,7 +68,7 @@ TEST(GrainContact, HertzIsAsQuoted) {
 TEST(GrainContact, SurfaceEnergyPullsAsByDerjaguin) {
   const double gamma = 0.03, cutoff = 4e-10;
   const double a = hamaker_of_surface_energy(gamma, cutoff);
-  const hamaker::Law<hamaker::SmallGap> law({a, cutoff, 1e-7});
+  const hamaker::HamakerLaw<hamaker::SmallGap> law({a, cutoff, 1e-7});
   const double force = 4.0 * pi * gamma * 0.25 * d;
   EXPECT_NEAR(law.adhesion_force(two_spheres(0.5 * d, 0.5 * d)), force, 1e-14 * force);
 }

@@ -11,17 +11,18 @@ namespace cohesion::powder {
 namespace {
 
 constexpr double d = 1e-4, restitution = 0.8, stiffness = 50.0;
-const hamaker::Parameters attraction{1e-19, 4e-10, 1e-7};
+const hamaker::HamakerParameters attraction{1e-19, 4e-10, 1e-7};
 
 double mass(double diameter) { return 1500.0 * sphere_volume(0.5 * diameter); }
 
-contact::Adhesion adhesion(const hamaker::Parameters& p, double diameter) {
+contact::Adhesion adhesion(const hamaker::HamakerParameters& p, double diameter) {
   const hamaker::AnyLaw law = hamaker::forms.front().law(p, p.asperity_radius > 0.0);
   const PairGeometry pair = two_spheres(0.5 * diameter, 0.5 * diameter);
   return std::visit([&](const auto& l) { return contact::adhesion_of(l, pair); }, law);
 }
 
-contact::AdhesiveContact contact_of(const hamaker::Parameters& p, double diameter, double k) {
+contact::AdhesiveContact contact_of(const hamaker::HamakerParameters& p, double diameter,
+                                    double k) {
   return {contact::LinearSpringDashpot::from_restitution(k, restitution, 0.5 * mass(diameter)),
           adhesion(p, diameter)};
 }
@@ -30,8 +31,9 @@ contact::AdhesiveContact contact_of(const hamaker::Parameters& p, double diamete
 
 // Everything is magnified by l: to rounding.
 TEST(Parcels, StickAsTheirGrainsDo) {
-  const hamaker::Parameters rough{1e-19, 4e-10, 1e-7, 2e-8}, cap{1e-19, 4e-10, 1e-7, 2e-7, 2e-9};
-  for (const hamaker::Parameters& p : {attraction, rough, cap})
+  const hamaker::HamakerParameters rough{1e-19, 4e-10, 1e-7, 2e-8},
+      cap{1e-19, 4e-10, 1e-7, 2e-7, 2e-9};
+  for (const hamaker::HamakerParameters& p : {attraction, rough, cap})
     for (const double l : {1.0, 2.0, 3.5, 10.0}) {
       const Parcels parcels(l);
       const auto grain = contact_of(p, d, stiffness);

@@ -15,8 +15,8 @@ TEST(PowderPlan, TwoDigitsAreNeverAbove) {
 
 // (1 - 0.4) 0.02 m^2 0.1 m of solid, spheres of 1 mm
 TEST(PowderPlan, GrainsFillTheSolidOfTheBed) {
-  EXPECT_NEAR(number_of_grains({0.02, 0.1, 0.4}, Sizes({{1e-3, 1.0}})), 0.0012 / (pi / 6.0 * 1e-9),
-              1e-6);
+  EXPECT_NEAR(number_of_grains({0.02, 0.1, 0.4}, PowderSizes({{1e-3, 1.0}})),
+              0.0012 / (pi / 6.0 * 1e-9), 1e-6);
 }
 
 // 0.6 0.02 m^2 0.1 m of 2500 kg/m3; the same, 9.8 m/s2, over the area
@@ -46,7 +46,7 @@ TEST(PowderPlan, StepsAreWholePartsOfTheInterval) {
   const double interval = 0.01;
   for (const double particle : {1.1e-5, 3.14159e-6, 0.02})
     for (const double gas : {1e-3, 4.7e-4, 1e-6, 1.0}) {
-      const Steps steps = steps_within(interval, particle, gas);
+      const TimeSteps steps = steps_within(interval, particle, gas);
       const double of_gas = steps.gas / steps.particle, of_interval = interval / steps.gas;
       EXPECT_NEAR(of_gas, std::round(of_gas), 1e-9);
       EXPECT_NEAR(of_interval, std::round(of_interval), 1e-9 * of_interval);
@@ -58,8 +58,8 @@ TEST(PowderPlan, StepsAreWholePartsOfTheInterval) {
 }
 
 TEST(PowderPlan, WhatIsNoBedIsRefused) {
-  EXPECT_THROW(number_of_grains({0.0, 0.1, 0.4}, Sizes({{1e-3, 1.0}})), InvalidParameter);
-  EXPECT_THROW(number_of_grains({1.0, 0.1, 1.0}, Sizes({{1e-3, 1.0}})), InvalidParameter);
+  EXPECT_THROW(number_of_grains({0.0, 0.1, 0.4}, PowderSizes({{1e-3, 1.0}})), InvalidParameter);
+  EXPECT_THROW(number_of_grains({1.0, 0.1, 1.0}, PowderSizes({{1e-3, 1.0}})), InvalidParameter);
 }
 
 }  // namespace cohesion::powder

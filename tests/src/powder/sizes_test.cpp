@@ -8,7 +8,7 @@ namespace cohesion::powder {
 // Equal masses of 1 and 4: the Sauter mean is 2/(1/1 + 1/4), and there are 64 small ones for a
 // large.
 TEST(PowderSizes, OfTwoSizesTheMeanIsThatBySurface) {
-  const Sizes sizes({{1.0, 3.0}, {4.0, 3.0}});
+  const PowderSizes sizes({{1.0, 3.0}, {4.0, 3.0}});
   EXPECT_NEAR(sizes.sauter(), 1.6, 1e-15);
   EXPECT_EQ(sizes.smallest(), 1.0);
   EXPECT_EQ(sizes.largest(), 4.0);
@@ -17,22 +17,22 @@ TEST(PowderSizes, OfTwoSizesTheMeanIsThatBySurface) {
 }
 
 TEST(PowderSizes, OneSizeIsItsOwnMean) {
-  const Sizes sizes({{3e-4, 0.2}});
+  const PowderSizes sizes({{3e-4, 0.2}});
   EXPECT_NEAR(sizes.sauter(), 3e-4, 1e-19);
   EXPECT_NEAR(sizes.number_per_solid_volume() * sphere_volume(1.5e-4), 1.0, 1e-15);
 }
 
 // 1/(0.3/20 + 0.4/40 + 0.3/80) um
 TEST(PowderSizes, PercentilesAreWeightedBySwansonsRule) {
-  EXPECT_NEAR(Sizes::of_percentiles(20.0, 40.0, 80.0).sauter(), 1.0 / 0.02875, 1e-12);
+  EXPECT_NEAR(PowderSizes::of_percentiles(20.0, 40.0, 80.0).sauter(), 1.0 / 0.02875, 1e-12);
 }
 
 TEST(PowderSizes, WhatIsNoPowderIsRefused) {
-  EXPECT_THROW(Sizes({}), InvalidParameter);
-  EXPECT_THROW(Sizes({{0.0, 1.0}}), InvalidParameter);
-  EXPECT_THROW(Sizes({{1.0, -1.0}}), InvalidParameter);
-  EXPECT_THROW(Sizes::of_percentiles(2.0, 1.0, 3.0), InvalidParameter);
-  EXPECT_THROW(Sizes::of_percentiles(1.0, 3.0, 2.0), InvalidParameter);
+  EXPECT_THROW(PowderSizes({}), InvalidParameter);
+  EXPECT_THROW(PowderSizes({{0.0, 1.0}}), InvalidParameter);
+  EXPECT_THROW(PowderSizes({{1.0, -1.0}}), InvalidParameter);
+  EXPECT_THROW(PowderSizes::of_percentiles(2.0, 1.0, 3.0), InvalidParameter);
+  EXPECT_THROW(PowderSizes::of_percentiles(1.0, 3.0, 2.0), InvalidParameter);
 }
 
 }  // namespace cohesion::powder

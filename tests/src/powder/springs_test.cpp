@@ -13,8 +13,8 @@ constexpr double d = 5e-4;
 const double mass = 2500.0 * sphere_volume(0.5 * d);
 const Elastic glass{63e9, 0.22};
 
-Pair pair_of(double hamaker_constant) {
-  const hamaker::Parameters p{hamaker_constant, 4e-10, 1e-7};
+GrainPair pair_of(double hamaker_constant) {
+  const hamaker::HamakerParameters p{hamaker_constant, 4e-10, 1e-7};
   // F_ad = A R*/(6 H_cut^2) and the energy up to H_cut, both in closed form
   const double force = hamaker_constant * 0.25 * d / (6.0 * 4e-10 * 4e-10);
   const double tail = hamaker_constant * 0.25 * d / 6.0 * (1.0 / 4e-10 - 1.0 / 1e-7);
@@ -104,7 +104,7 @@ TEST(Springs, RefuseAWellWithinTheGrains) {
 
 // The attraction can be scaled to the least stiffness, and to a tenth and a bit less it cannot.
 TEST(Springs, LeaveTheAttractionRoom) {
-  const hamaker::Parameters p{1e-19, 4e-10, 4e-9};
+  const hamaker::HamakerParameters p{1e-19, 4e-10, 4e-9};
   const double least = least_scaled_stiffness(1e4, p);
   EXPECT_NO_THROW(advice::StiffnessScaling(1e4, least).hamaker(p));
   EXPECT_THROW(advice::StiffnessScaling(1e4, least / 1.11).hamaker(p), InvalidParameter);

@@ -17,7 +17,7 @@ namespace {
 constexpr double d = 5e-4, stiffness = 1.7e4;
 const double mass = 2500.0 * sphere_volume(0.5 * d);
 
-contact::Adhesion adhesion_of(const hamaker::Parameters& p, const PairGeometry& geometry) {
+contact::Adhesion adhesion_of(const hamaker::HamakerParameters& p, const PairGeometry& geometry) {
   return std::visit([&](const auto& law) { return contact::adhesion_of(law, geometry); },
                     hamaker::forms.front().law(p, p.asperity_radius > 0.0));
 }
@@ -28,14 +28,14 @@ double escape(double k, double e, double mu, const contact::Adhesion& adhesion) 
       .escape_velocity();
 }
 
-const hamaker::Parameters smooth{6.5e-20, 4e-10, 1e-7}, rough{1e-19, 4e-10, 1e-7, 1e-7};
+const hamaker::HamakerParameters smooth{6.5e-20, 4e-10, 1e-7}, rough{1e-19, 4e-10, 1e-7, 1e-7};
 
 }  // namespace
 
 // At every restitution, in pairs and at walls, smooth and rough, and whatever the springs of the
 // run: bounded by the closed form's root and its rounding.
 TEST(Wells, HoldPairsUpToTheEscapeVelocityOfTheMaterial) {
-  for (const hamaker::Parameters& p : {smooth, rough})
+  for (const hamaker::HamakerParameters& p : {smooth, rough})
     for (const PairGeometry& geometry : {two_spheres(0.5 * d, 0.5 * d), sphere_and_plane(0.5 * d)})
       for (const double e : {0.3, 0.9, 0.99}) {
         const double mu = geometry.reduced_radius > 0.3 * d ? mass : 0.5 * mass;
@@ -67,8 +67,8 @@ TEST(Wells, TendToTheEnergyOfTheAttractionOfRigidGrains) {
 // All is magnified by l (powder/parcels.h), and the energy by l^3.
 TEST(Wells, OfParcelsAreAsDeepAsTheirVolume) {
   const double l = 3.0;
-  const hamaker::Parameters large{l * l * l * smooth.hamaker_constant, l * smooth.surface_cutoff,
-                                  l * smooth.outer_cutoff};
+  const hamaker::HamakerParameters large{l * l * l * smooth.hamaker_constant,
+                                         l * smooth.surface_cutoff, l * smooth.outer_cutoff};
   const double grain =
       well_depth(stiffness, 0.9, 0.5 * mass, adhesion_of(smooth, two_spheres(0.5 * d, 0.5 * d)));
   const double parcel = well_depth(l * stiffness, 0.9, 0.5 * l * l * l * mass,

@@ -8,7 +8,7 @@
 namespace cohesion::square_well {
 
 TEST(WellParameters, EdgeIsTheSumOfBothOuterRadii) {
-  const Parameters p{0.3, 1.5, 1.25};
+  const SquareWellParameters p{0.3, 1.5, 1.25};
   EXPECT_DOUBLE_EQ(edge(p, 2.0, 4.0), 8.0);
   EXPECT_DOUBLE_EQ(width(p, 2.0, 4.0), 2.0);
   EXPECT_DOUBLE_EQ(edge(reversed(p), 4.0, 2.0), 8.0);
@@ -16,8 +16,8 @@ TEST(WellParameters, EdgeIsTheSumOfBothOuterRadii) {
 }
 
 TEST(WellParameters, BoundsOfTheEdgeHoldForAnyRadii) {
-  for (const Parameters& p :
-       {well(0.3, 1.01), Parameters{0.3, 1.5, 1.25}, Parameters{0.3, 1.0, 2.0}})
+  for (const SquareWellParameters& p :
+       {well(0.3, 1.01), SquareWellParameters{0.3, 1.5, 1.25}, SquareWellParameters{0.3, 1.0, 2.0}})
     for (const double other : {1e-3, 0.5, 1.0, 7.0, 1e3}) {
       const double share = edge(p, 1.0, other) / (1.0 + other);
       EXPECT_LT(edge_bounds(p, false).inside, share * share);
@@ -33,7 +33,7 @@ TEST(WellParameters, BoundsOfTheEdgeHoldForAnyRadii) {
 }
 
 TEST(WellParameters, UnlikeMaterialsTakeTheMeanDepthAndEachItsRatio) {
-  const Parameters m = mixed(well(0.2, 1.5), well(0.8, 1.1));
+  const SquareWellParameters m = mixed(well(0.2, 1.5), well(0.8, 1.1));
   EXPECT_DOUBLE_EQ(m.depth, 0.4);
   EXPECT_EQ(m.ratio_i, 1.5);
   EXPECT_EQ(m.ratio_j, 1.1);

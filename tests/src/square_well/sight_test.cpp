@@ -14,7 +14,7 @@ TEST(Sight, EndsTheMarginBeyondTheWidestWell) {
   EXPECT_EQ(sight(1.5, 0.25, 2.0), 1.5);
   EXPECT_EQ(sight(1.0, 0.25, 2.0), 0.5);
   // At the edge of the widest well the margin is left, whatever the radii.
-  const Parameters widest = well(1.0, 1.5);
+  const SquareWellParameters widest = well(1.0, 1.5);
   EXPECT_EQ(sight(1.5, 0.25, 1.0 + 3.0) - width(widest, 1.0, 3.0), 0.25 * (1.0 + 3.0));
 }
 
@@ -29,7 +29,8 @@ TEST(Sight, OfThoseThatStayInItNoneLeaves) {
   // Pairs at the edge of their own well, that of the first two the widest, fly the margin in a
   // step, all but one part in 1e12, in any direction.
   const double margin = 0.01, step = 1e-5, ri = 5e-4;
-  for (const Parameters& p : {well(1.0, 1.2), Parameters{1.0, 1.2, 1.01}, well(1.0, 1.0)})
+  for (const SquareWellParameters& p :
+       {well(1.0, 1.2), SquareWellParameters{1.0, 1.2, 1.01}, well(1.0, 1.0)})
     for (const double rj : {1e-5, 5e-4, 2e-2})
       for (int n = 0; n <= 12; n++) {
         const double radii = ri + rj, speed = margin * radii / step * (1.0 - 1e-12);

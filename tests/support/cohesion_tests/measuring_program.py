@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of the programs that measure (benchmarks): `LMP_WITH_PLUGIN_COMMAND PLUGIN [options]`, and of
-those that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`."""
+those that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`; of those that run coupled cases, `BUILD WORK [options]`."""
 import argparse
 import os
 
@@ -26,3 +26,12 @@ def words(description, *options, liggghts=False):
     else:
         os.environ["COHESION_SCRIPTS"] = str(LIGGGHTS_SCENES)
     return given
+
+
+def coupling_parser(description):
+    """A parser for the programs that run coupled cases: `BUILD WORK [options]`."""
+    parser = argparse.ArgumentParser(description=description,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", help="build folder of the package")
+    parser.add_argument("work", help="folder for the cases")
+    return parser

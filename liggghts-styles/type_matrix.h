@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_TABLE_OF_TYPES_H
-#define COHESION_TABLE_OF_TYPES_H
+#ifndef COHESION_TYPE_MATRIX_H
+#define COHESION_TYPE_MATRIX_H
 
 #include <sstream>
 #include <string>
@@ -15,7 +15,7 @@ namespace Cohesion {
 
 /// What a model knows of each pair of atom types, counted from 1.
 template <class Entry>
-class TableOfTypes {
+class TypeMatrix {
  public:
   const Entry& of(int itype, int jtype) const { return entries_[(itype - 1) * types_ + jtype - 1]; }
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_MATERIAL_OF_TYPES_H
-#define COHESION_MATERIAL_OF_TYPES_H
+#ifndef COHESION_TYPE_MATERIALS_H
+#define COHESION_TYPE_MATERIALS_H
 
 #include <string>
 
 #include "advice/stiffness_scaling.h"
 #include "normal_model_probe.h"
-#include "table_of_types.h"
+#include "type_matrix.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
 /// The materials that the contacts of a cohesion model stand for, as its keywords
 /// material_stiffness or material_modulus and material_keep say; none are given without them.
-class MaterialOfTypes {
+class TypeMaterials {
  public:
   /// model: who asks, in messages; wall: beside one.
-  MaterialOfTypes(LAMMPS_NS::LAMMPS* lmp, const char* model, bool wall)
+  TypeMaterials(LAMMPS_NS::LAMMPS* lmp, const char* model, bool wall)
       : lmp_(lmp), model_(model), is_wall_(wall) {}
 
   /// linear_springs: whether contacts of the model may have them, and then material_stiffness.
@@ -30,23 +30,32 @@ class MaterialOfTypes {
   std::string shown(int itype, int jtype) const;
   /// K or E* of the contact of two types.
   double stiffness(int itype, int jtype) const { return stiffnesses_.of(itype, jtype); }
-  /// Prints a note on two types (advice::scaling_note), once of both orders.
-  void tell(int itype, int jtype, const std::string& note) const;
+  /// The adhesion of two types, scaled from the stiffness of the material to that of the contact
+  /// (advice::for_stiffness). Prints the scaling, once for both orders of the types.
+  template <class Adhesion>
+  Adhesion scaled(const Adhesion& real, int itype, int jtype) const {
+    const cohesion::advice::Material material = of(itype, jtype);
+    const double contact = stiffness(itype, jtype);
+    const Adhesion used = cohesion::advice::for_stiffness(contact, material, real);
+    print(itype, jtype, cohesion::advice::scaling_note(contact, material, real, used));
+    return used;
+  }
 
  private:
   std::string who() const { return std::string("cohesion model ") + model_; }
   void require_spring(const NormalModelProbe& normal) const;
-  void tell_of_unread(const char* property, const char* kind, const char* keyword) const;
+  void warn_if_unused(const char* property, const char* kind, const char* keyword) const;
+  void print(int itype, int jtype, const std::string& note) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   const char* model_;
   bool is_wall_;
   bool has_stiffness_ = false, has_modulus_ = false;
   cohesion::advice::Keep keep_ = cohesion::advice::Keep::escape_velocity;
-  TableOfTypes<cohesion::advice::Material> materials_;
-  TableOfTypes<double> stiffnesses_;
-  double** stiffness_given_ = nullptr;  // null: not
-  const double* modulus_given_ = nullptr;
+  TypeMatrix<cohesion::advice::Material> materials_;
+  TypeMatrix<double> stiffnesses_;
+  double** material_stiffness_ = nullptr;  // null where the script has none
+  const double* material_modulus_ = nullptr;
 };
 
 }  // namespace Cohesion

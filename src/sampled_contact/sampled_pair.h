@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sampled_contact/sampled_repulsion.h"
+
+namespace cohesion::sampled_contact {
+
+/// A pair at a time level, with the force of spring and dashpot there.
+struct SampledMotion {
+  Vector3 normal;    ///< from the particle to its partner
+  double overlap;    ///< [length]
+  double rate;       ///< of the overlap, [length/time]
+  double repulsion;  ///< [force]
+};
+
+/// Repulsion and range of a pair whose forces are sampled once per step; each attraction derives
+/// from it.
+class SampledPair {
+ public:
+  /// Gap up to which the pair attracts, [length].
+  double range() const { return range_; }
+
+  bool within_reach(const RelativeState& state, const StepWindow&) const {
+    return norm(state.separation) <= contact_distance_ + range_;
+  }
+
+  double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
+
+ protected:
+  /// contact_distance [length]: of the centres at touch; range [length]: gap up to which the pair
+  /// attracts.
+  SampledPair(const contact::NormalLaw& repulsion, double contact_distance, double range)
+      : repulsion_(repulsion), contact_distance_(contact_distance), range_(range) {}
+
+  /// `time` [time]: for which the force of this time level acts; `record` receives its work.
+  SampledMotion sample(const RelativeState& state, double time, NormalRecord& record) const {
+    const double distance = norm(state.separation);
+    const Vector3 normal = (1.0 / distance) * state.separation;
+    const double overlap = contact_distance_ - distance;
+    const double rate = -dot(normal, state.velocity);
+    return {normal, overlap, rate, repulsion_.force(overlap, rate, time, record)};
+  }
+
+  double reduced_mass() const { return repulsion_.reduced_mass(); }
+
+ private:
+  SampledRepulsion repulsion_;
+  double contact_distance_;
+  double range_;
+};
+
+}  // namespace cohesion::sampled_contact
