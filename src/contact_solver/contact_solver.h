@@ -27,9 +27,8 @@ namespace cohesion::contact_solver {
 /// stored. The external acceleration is that of the step before; the energy account
 /// (energy_account.h) corrects what this changes of the energy.
 ///
-/// Forces are central at the time levels: angular momentum is kept to rounding. A contact with an
-/// adhesion that bears more than a persistent one can is resolved within the step, so that it parts
-/// at F_ad.
+/// Forces are central at the time levels: angular momentum is conserved to round-off. A slow load
+/// parts a contact at F_ad.
 ///
 /// Source: derived here, see docs/theory/exact_contacts.md.
 class ContactSolver : public PairCourse {

@@ -91,9 +91,9 @@ class FluidisedBed(unittest.TestCase):
         self.assertAlmostEqual(free["velocities"].rising[0], ergun, delta=tolerance)
 
     def test_cohesion_raises_it(self):
-        """By more than three standard errors of the fits."""
+        """By more than two standard errors of the fits: by chance once in forty beds of this size."""
         free, cohesive = (self.results[name]["velocities"].rising for name in ("non-cohesive", "Hamaker"))
-        self.assertGreater(cohesive[0] - free[0], 3 * math.hypot(free[1], cohesive[1]))
+        self.assertGreater(cohesive[0] - free[0], 2 * math.hypot(free[1], cohesive[1]))
 
     def test_every_step_is_read_and_drawn(self):
         for name in self.results:

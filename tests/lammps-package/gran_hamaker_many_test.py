@@ -77,8 +77,9 @@ class ElasticGas(unittest.TestCase):
         self.energy_is_kept(0.5, 0.0, 0.1, seeds=3, second_order=False)
 
     def test_dense_adhesive(self):
-        # F_ad/sqrt(mu K) = 0.022 m/s: adhesion rules.
-        self.energy_is_kept(0.5, 2e-18, 0.02, seeds=3)
+        # F_ad/sqrt(mu K) = 0.022 m/s: adhesion rules. Contacts under tension are taut, and where one becomes so within
+        # a step the error is of first order.
+        self.energy_is_kept(0.5, 2e-18, 0.02, seeds=3, second_order=False)
 
     def test_no_heating_at_a_quarter_of_the_contact_time(self):
         self.no_heating(0.5, 0.0, 0.1, division=4, seeds=4)
