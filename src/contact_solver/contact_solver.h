@@ -76,7 +76,7 @@ class ContactSolver : public PairCourse {
   ContactStep advance(const StaggeredMotion& now, double external, double velocity_step,
                       ContactState& state) const {
     ContactStep result;
-    if (velocity_step == step() && state.in_contact() &&
+    if (velocity_step == step() && (state.in_contact() || stands_in_contact(now, state)) &&
         stays_persistent(now, external, state, result))
       return result;
     return resolve(now, external, velocity_step, state);
@@ -212,6 +212,12 @@ class ContactSolver : public PairCourse {
   }
 
  private:
+  /// Whether a pair without a stored state touches, and did so before the last step. Where it is
+  /// released under a load, the load of that step is not known: a step that is resolved without it
+  /// would give the contact half of its force.
+  bool stands_in_contact(const StaggeredMotion& now, const ContactState& state) const {
+    return state.phase == ContactState::unknown && now.stands_within(contact_distance(), step());
+  }
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
                         ContactStep& result) const {
     if (state.is_persistent()) {
@@ -230,8 +236,10 @@ class ContactSolver : public PairCourse {
           [&](const auto& c) { return c.begin_persistent(here, load, now, state, first); },
           contact());
       if (!begins) return false;
-      first.account += account_up_to(now, external, state) - state.account -
-                       account_.exchanged(state.force, external, state);
+      first.account += state.phase == ContactState::unknown
+                           ? EnergyAccount::at_start(stored(now, true))
+                           : account_up_to(now, external, state) - state.account -
+                                 account_.exchanged(state.force, external, state);
       result.force = first.force;
       result.repulsion = first.repulsion;
       go_on(here.rate, external, first, state);

@@ -112,9 +112,12 @@ class LinearContact {
   }
   /// The same in the first step after a resolved one.
   bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
-                        const ContactState& /*state*/, PersistentStep& step) const {
-    const bool taut = is_taut(now.overlap, load);
-    if (!force_of(now, taut, load, step)) return false;
+                        const ContactState& state, PersistentStep& step) const {
+    // A contact that is first seen at rest under tension is there because of a load.
+    const bool stands = state.phase == ContactState::unknown;
+    const bool taut = is_taut(now.overlap, stands ? pull_ : load);
+    const double borne = stands ? std::max(load, -force(now, taut) * inverse_mass_) : load;
+    if (!force_of(now, taut, borne, step)) return false;
     step.account = 0.5 * whole_step_.time * step.force * at.rate + stored(now, taut, at);
     return true;
   }

@@ -151,7 +151,7 @@ class Beds(SmallBeds):
             self.assertEqual(found and float(found[1]), width)
             told = (case / "log.lammps").read_text()
             self.assertIn(f"\npair_style {style}", told)
-            for law in ("hamaker", "square_well"):
+            for law in ("hamaker", "squarewell"):
                 self.assertEqual(f"\nfix plate all wall/gran/{law}" in told, style == f"gran/{law}")
         self.assertIn(" well 5e-11 1.02\n", told)
         with open(out / "summary.csv") as file:

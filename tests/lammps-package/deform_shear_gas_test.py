@@ -119,9 +119,9 @@ class LongRuns(Shear):
                 self.assertAlmostEqual(table["f_shear"][-1], steps * dt, 12)
                 # Momentum is conserved but for rounding. A pair across a face is computed twice, from places that
                 # differ by 2^-53 of 8: of a speed by 4e-13 in a step. Where a pair parts slowly the root of what its
-                # energy account leaves makes it larger by one over that speed: 1e4 in the slowest of some 1e4 partings.
-                # Over 240 spheres that is 2e-11.
-                self.assertLess(numpy.abs(table["v_py"]).max(), 1e-10)
+                # energy account leaves makes it larger by one over that speed: 1e4 in the slowest of some 1e4 partings,
+                # and ten times that where a load parts a taut contact, almost at rest. Over 240 spheres that is 2e-10.
+                self.assertLess(numpy.abs(table["v_py"]).max(), 1e-9)
                 # In the mean, the line is the one that the box asks for. The slope of one snapshot
                 # varies by sqrt(12 T/N)/L_y, over a strain of 2 or so like over one snapshot.
                 half = slice(len(rows) // 2, None)

@@ -59,7 +59,11 @@ class PullOff(unittest.TestCase):
         # These two fixes leave a velocity as it is, with which a grain that still swings would move on.
         held = {"freeze": ("velocity first set 0 0 0\nfix held first freeze", "unfix held"),
                 "setforce": ("velocity first set 0 0 0\nfix held first setforce 0 0 0", "unfix held"),
-                "no integration": ("unfix move", "fix move all nve/sphere")}
+                "no integration": ("unfix move", "fix move all nve/sphere"),
+                "displaced off and back": ("velocity first set 0 0 0\nunfix move\nrun 2\n"
+                                           "displace_atoms first move -1e-5 0 0 units box\nrun 2\n"
+                                           "displace_atoms first move 1e-5 0 0 units box",
+                                           "fix move all nve/sphere")}
         for level, holds in ((0.95, True), (1.02, False)):
             for how, (hold, release) in held.items():
                 for division in (6, 10):
