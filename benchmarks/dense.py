@@ -101,7 +101,7 @@ def rows(programs, words):
 
 
 def over_cohesive(ways, counts, turns, cohesive):
-    """{what: {style of ours: over the engine's own style with cohesion}}, of what was measured."""
+    """{what: {style of this package: over the engine's own style with cohesion}}, of what was measured."""
     own = [name for name, (way, _) in ways.items() if way.endswith("+")]
     found = {}
     if counts[cohesive] is not None:

@@ -93,14 +93,14 @@ def granular(cohesive=False):
 
 
 def overlay(style, coefficients, contact=None):
-    """An attraction of ours over the engine's contact."""
+    """An attraction of this package over the engine's contact."""
     name, *settings = (contact or hooke()).splitlines()[0].split()[1:]
     return (f"pair_style hybrid/overlay {name} {' '.join(settings)} {style}\n"
             f"pair_coeff * * {name}\npair_coeff * * {style.split()[0]} {coefficients}\n")
 
 
 def ours(style="gran/hamaker", scheme="exact", friction=f"friction {FRICTION}", cohesion="", rolling=""):
-    """A contact style of ours; friction, cohesion, rolling: keywords with their values."""
+    """A contact style of this package; friction, cohesion, rolling: keywords with their values."""
     return (f"pair_style {style} scheme {scheme}\npair_coeff * * stiffness {STIFFNESS} "
             f"restitution {RESTITUTION} {friction} {rolling} {cohesion}\n")
 

@@ -14,7 +14,7 @@
 
 namespace LAMMPS_NS {
 
-/// What a pair style was told of each pair of types: by pair_coeff, by mixing, or by a restart
+/// The coefficients of each pair of types: from pair_coeff, by mixing, or by a restart
 /// file. Entry (i, j) is seen from i; a style that has two sides writes (j, i) too.
 template <class Value>
 class TypePairTable : protected Pointers {

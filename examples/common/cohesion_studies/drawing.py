@@ -11,7 +11,7 @@ from matplotlib import pyplot  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.ticker import LogFormatterSciNotation  # noqa: E402
 
-MARKERS = "os^vDPX*"  # so that lines are told apart without their colours
+MARKERS = "os^vDPX*"  # so that lines differ without their colours
 
 
 def save(figure, file, dpi=100):

@@ -66,7 +66,7 @@ def of_levels(study):
     return found
 
 
-# Places where cohesion is switched off, and what is said of them.
+# Places where cohesion is switched off, and the claims about them.
 PLACES = {"particles": "particles add to", "plate": "the plate adds to", "side": "the side walls add to"}
 MATTERS = {"well": ("plate", "side"), "hamaker": ("side", "plate")}  # which wall more, and the other
 # The pressure maximum above the weight, as in the thesis; and above the bubbling bed's own pressure, which the plate
