@@ -353,27 +353,6 @@ class Input(Scene):
                 code, output = engine.run_text(HEAD + text + MOVE, self.folder)
                 assert_refused(self, code, output, *expected)
 
-    def test_bridges_in_a_wrong_unit(self):
-        """Spheres of R = 0.5 mm: V in m^3 is below 0.1 R^3 = 1.25e-11; 1e-3 is a volume in mm^3, and breaks at 0.1 m."""
-        pair, wall = (f"pair_style {STYLE}\npair_coeff * * stiffness 800 ",
-                      f"stiffness 800\nfix w all wall/{STYLE} stiffness 800 ")
-        for text, where in ((pair + "{}", f"pair_style {STYLE}, types 1 and 1"),
-                            (pair.replace("stiffness 800 ", "") + wall + "{} zplane 0 NULL", f"fix w wall/{STYLE}")):
-            for law, expected in (
-                    ("capillary 0.07 0 1e-3", ("h_r of the bridge = 0.1: must not be above 0.0005",
-                                               "volume V of the bridge = 0.001, which should be below 1.25e-11")),
-                    ("bridge 1e-4 0.1", ("h_r of the bridge = 0.1: must not be above 0.0005", "check its unit"))):
-                with self.subTest(where, law=law):
-                    code, output = engine.run_text(HEAD + text.format(law) + MOVE, self.folder)
-                    assert_refused(self, code, output, where, *expected)
-            for volume, warns in ((1.2e-11, 0), (1.3e-11, 1), (1.24e-10, 1)):
-                with self.subTest(where, volume=volume):
-                    code, output = engine.run_text(
-                        HEAD + text.format(f"capillary 1e-6 0 {volume}") + MOVE + "\nrun 0", self.folder)
-                    self.assertEqual(code, 0, output)
-                    warnings = [l for l in output.splitlines() if "WARNING" in l and "of the cube of the radius" in l]
-                    self.assertEqual(len(warnings), warns, output)
-
     def test_advice_has_the_escape_velocity(self):
         code, output = engine.run_text(
             HEAD + f"pair_style {STYLE}\npair_coeff * * " + words() + f"\nfix w all wall/{STYLE} " +

@@ -2,8 +2,8 @@
 """Pull-off under a slow load: contacts of gran/hamaker part at F_ad whatever the step, stiffness, restitution, size,
 partner and load; a square well holds any slow load. benchmarks/lammps-package/pull-off-ramp.py prints the whole
 campaign."""
-import sys
 import re
+import sys
 import unittest
 
 from cohesion_tests import lammps
@@ -12,6 +12,14 @@ from cohesion_tests.theory.slow_ramp import Grain
 
 # The ramp lags by 1.5e-3 of F_ad by a formula that is right to a factor of order one, and the load is read to 3e-4.
 LAG = 3e-3
+HEAD = f"""plugin load {lammps.plugin()}
+units si
+atom_style sphere
+atom_modify map array
+boundary f f f
+newton off
+comm_modify vel yes
+"""
 
 
 class PullOff(unittest.TestCase):
@@ -82,13 +90,7 @@ class PullOff(unittest.TestCase):
                 words = f"stiffness 50 restitution {restitution} hamaker 1e-19 cutoff 4e-10 1e-7"
                 rows = "".join(f"create_atoms 1 single 5e-4 5e-4 {3e-3 - (k + 0.5) * (75e-6 - at_rest) + at_rest / 2:.17g}\n"
                                for k in range(count))
-                code, output = self.run_text(f"""plugin load {lammps.plugin()}
-units si
-atom_style sphere
-atom_modify map array
-boundary f f f
-newton off
-comm_modify vel yes
+                code, output = self.run_text(f"""{HEAD}
 region box block 0 1e-3 0 1e-3 0 3.1e-3
 create_box 1 box
 neighbor 3e-5 bin
@@ -123,13 +125,7 @@ print "PARTED $(v_part)"
         for division in (4, 10, 50):
             steps = 3000 * division
             load = f"{3 * depth / width!r}*step/{steps}"
-            code, output = self.run_text(f"""plugin load {lammps.plugin()}
-units si
-atom_style sphere
-atom_modify map array
-boundary f f f
-newton off
-comm_modify vel yes
+            code, output = self.run_text(f"""{HEAD}
 region box block 0 1e-3 0 1e-3 0 3e-3
 create_box 1 box
 neighbor 4e-5 bin
