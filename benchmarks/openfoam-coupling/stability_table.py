@@ -10,11 +10,14 @@ the gas's Courant number: every row is runs of the solver. Two scenes, without g
     stability_table.py BUILD WORK [--table FILE] [--only TEXT ...] [--together N]
 
 A row takes some 5 seconds. --only: rows whose line has one of the texts, for instance '| 1e+06 |';
-rows that were not run stay as they are in FILE.
+rows that were not run stay as they are in the .csv
+file beside FILE, which has all rows.
 """
 
+import csv
 import re
 import shutil
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -73,6 +76,7 @@ Three kinds of rows have an error without a warning:
 """
 HEAD = ("| beta dt/(eps rho_g) | eps | rho_s/rho_g | cell/d | CFL | kernel | R | x | uniform: largest | end | layer:"
         " largest | end | energy | verdict |\n" + "|---" * 14 + "|")
+LABEL = 8  # columns that name a row
 
 
 def settings():
@@ -191,16 +195,32 @@ def row(column, number, keywords):
     return f"{line} {together.max():.1g} | {together[-1]:.1g} | {gains[0]:.0g} | {word} |"
 
 
-def page(lines, before):
-    """With these rows, and the others of the program that the page had before."""
-    rows = []
-    for keywords in settings():
-        start = label(Setting(**keywords))
-        new = [line for line in lines if line.startswith(start)]
-        rows += new or [line for line in before.splitlines() if line.startswith(start)]
+def cells(line):
+    """Of a row of a table."""
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def merged(lines, file):
+    """The rows of the program, as cells: these, and the others that the file had before."""
+    known = {tuple(row[:LABEL]): row for row in csv.reader(open(file, newline=""))} if file.exists() else {}
+    known.update({tuple(row[:LABEL]): row for row in map(cells, lines)})
+    wanted = [tuple(cells(label(Setting(**keywords)))) for keywords in settings()]
+    return [known[name] for name in wanted if name in known]
+
+
+def is_right(row):
+    return row[-1].removesuffix(", warned") in ("correct", "first order")
+
+
+def page(rows, file):
+    """Counts, and the rows that are not right; `file` has all."""
+    counts = Counter(row[-1].removesuffix(", warned") for row in rows if is_right(row))
     missing = len(settings()) - len(rows)
     text = [f"{missing} of the {len(settings())} rows of the program are missing.", ""] if missing else []
-    return "\n".join([PAGE, *text, HEAD, *rows]) + "\n"
+    text += [f"Of {len(rows)} rows, {counts['correct']} are correct and {counts['first order']} of first order;"
+             f" [{file.name}]({file.name}) lists all. The others:", ""]
+    others = ["| " + " | ".join(row) + " |" for row in rows if not is_right(row)]
+    return "\n".join([PAGE, *text, HEAD, *others]) + "\n"
 
 
 def main():
@@ -221,7 +241,10 @@ def main():
     line.close()
     if given.table:
         table = Path(given.table)
-        table.write_text(page(lines, table.read_text() if table.exists() else ""))
+        rows = merged(lines, table.with_suffix(".csv"))
+        with open(table.with_suffix(".csv"), "w", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([cells(HEAD.splitlines()[0]), *rows])
+        table.write_text(page(rows, table.with_suffix(".csv")))
 
 
 if __name__ == "__main__":
