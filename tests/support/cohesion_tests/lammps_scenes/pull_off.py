@@ -68,7 +68,9 @@ def load_at_parting(grain, division, scheme="exact", pulled_by="addforce"):
     if float(re.search(r"^ENDED (\S+)", output, re.MULTILINE)[1]) < opened:
         return math.inf
     rows = re.findall(r"^ *\d+ +(\S+) +(\S+) *$", output, re.MULTILINE)
-    return [float(load) for gap, load in rows if float(gap) < opened][-1]
+    # A grain that has left its contact may bounce on the second wall while it crosses H_cut.
+    last = grain.overlap_at_rest if pulled_by == "wall" else opened
+    return [float(load) for gap, load in rows if float(gap) < last][-1]
 
 
 def run_on(grain, first, level, lines):
