@@ -53,6 +53,7 @@ FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
       warned_of_unturned(false),
       warned_of_held(false),
       warned_of_partly_held(false),
+      warned_of_added_contacts(false),
       altered(lammps),
       forces_dt(0.0),
       last(lammps, LAST),

@@ -187,6 +187,7 @@ class FixContactStep : public Fix {
   void warn_of_spins();
   void warn_of_unmoved();
   void warn_of_unlike_walls();
+  void warn_of_added_contacts();
   void hold_spins();
   void keep_impulses();
   void forget_impulses();
@@ -205,7 +206,7 @@ class FixContactStep : public Fix {
   bool running;
   bool tallies_begun;  // energy balances, in this run
   bool tally_unknown;  // last_tally_unknown()
-  bool warned_of_unturned, warned_of_held, warned_of_partly_held;
+  bool warned_of_unturned, warned_of_held, warned_of_partly_held, warned_of_added_contacts;
   bool warned_of_unmoved = false;
   std::set<std::string> warned_of_walls;  // texts of the warnings so far
   AlteredParticles altered;

@@ -69,6 +69,7 @@ void FixContactStep::init() {
   warn_of_spins();
   warn_of_unmoved();
   warn_of_unlike_walls();
+  warn_of_added_contacts();
   follow_renumbering();
 }
 
@@ -126,6 +127,28 @@ void FixContactStep::warn_of_unlike_walls() {
   for (const std::string& text :
        cohesion::advice::warnings_of_walls(walls, pairs, "exact where the keyword is missing"))
     if (warned_of_walls.insert(text).second && comm->me == 0) error->warning(FLERR, text);
+}
+
+/// Warns of types between which hybrid/overlay adds the springs of several contact styles. Issued
+/// once.
+void FixContactStep::warn_of_added_contacts() {
+  for (int i = 1; i <= atom->ntypes && !warned_of_added_contacts; i++)
+    for (int j = i; j <= atom->ntypes && !warned_of_added_contacts; j++) {
+      std::string names;
+      int count = 0;
+      for (const PairMember& member : pair_members_between(force, i, j)) {
+        const auto* const ours = dynamic_cast<SoftContactStyle*>(member.pair);
+        if (ours ? !ours->has_contacts() : !utils::strmatch(member.style, "^gran")) continue;
+        names += (count++ ? " and " : "") + member.style;
+      }
+      warned_of_added_contacts = count > 1;
+      if (warned_of_added_contacts && comm->me == 0)
+        error->warning(FLERR, "pair_style hybrid/overlay: between types " + std::to_string(i) +
+                                  " and " + std::to_string(j) + " the contact springs of " + names +
+                                  " add up; give one contact style to each pair of types, and "
+                                  "overlay only attractions without a contact (hamaker, "
+                                  "squarewell)");
+    }
 }
 
 /// Warns of spheres on which friction acts and that do not rotate. Issued once.

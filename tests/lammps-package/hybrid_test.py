@@ -73,6 +73,24 @@ write_dump all custom end.txt id vx vy vz modify sort id format float %.17g
         self.assertGreater(abs(ends[0][:, 1]).min(), 1e-4)
         numpy.testing.assert_array_equal(*ends)
 
+    def test_contacts_of_two_styles_that_overlay_adds_are_named_once(self):
+        words = "between types 1 and 1 the contact springs of "
+        for overlaid, warned in (("gran/hamaker", True), ("gran/squarewell", True), ("squarewell", False),
+                                 ("hamaker cutoff 4e-10 1e-7", False)):
+            with self.subTest(overlaid):
+                name = overlaid.split()[0]
+                output = self.goes(f"""{HEAD}pair_style hybrid/overlay {overlaid} gran/liquidbridge {OTHER}
+pair_coeff 1 1 gran/liquidbridge {CONTACT}
+pair_coeff 1 1 {name} {STYLES[overlaid]}
+pair_coeff * 2*3 gran/hooke/history
+fix move all nve/sphere
+timestep 1e-6
+run 1
+run 1
+""")
+                self.assertEqual(output.count(f"{words}gran/liquidbridge and {name}"), warned, output)
+                self.assertEqual(output.count("add up"), warned, output)
+
 
 if __name__ == "__main__":
     unittest.main()
