@@ -18,6 +18,7 @@
 #include "error.h"
 #include "exact_contacts.h"
 #include "fix_contact_advice.h"
+#include "fix_partner_ids.h"
 #include "fix_energy_tally.h"
 #include "fix_wall_gran.h"
 #include "force.h"
@@ -104,6 +105,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     choose_scheme(registry.max_type());
     attraction_.connect(registry, *normal_);
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
+    if (!wall_) Cohesion::hidden_fix<Cohesion::FixPartnerIds>(lmp);
     connect_tally();
     Cohesion::ContactRange range = attraction_.range();
     if (exact_) {

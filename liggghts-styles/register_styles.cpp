@@ -24,6 +24,7 @@
 #include "fix_accelerations.h"
 #include "fix_contact_advice.h"
 #include "fix_energy_tally.h"
+#include "fix_partner_ids.h"
 #include "lammps.h"
 #include "modify.h"
 #include "unknown_models.h"
@@ -79,6 +80,7 @@ void register_styles(LAMMPS* lmp) {
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
   fixes[FixEnergyTally::STYLE] = &make_fix<FixEnergyTally>;
+  fixes[FixPartnerIds::STYLE] = &make_fix<FixPartnerIds>;
   fixes[FixAccelerations::STYLE] = &make_fix<FixAccelerations>;
   Computes& computes = *computes_of(*lmp->modify);
   computes["gran/energy"] = &make_compute<ComputeGranularEnergy>;

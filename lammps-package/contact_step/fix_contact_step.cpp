@@ -9,7 +9,7 @@
 #include "common/energy_tally_of_runs.h"
 #include "domain.h"
 #include "engine/gravity.h"
-#include "engine/renumbering.h"
+#include "common/renumbering.h"
 #include "error.h"
 #include "memory.h"
 #include "modify.h"

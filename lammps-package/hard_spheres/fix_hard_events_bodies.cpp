@@ -8,7 +8,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/engine_api.h"
-#include "engine/renumbering.h"
+#include "common/renumbering.h"
 #include "hard_spheres/fix_hard_events.h"
 
 using namespace LAMMPS_NS;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/renumbering.h"
+#include "common/renumbering.h"
 #include "error.h"
 #include "fix_neigh_history.h"
 #include "lammps.h"

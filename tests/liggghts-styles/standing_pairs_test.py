@@ -79,6 +79,24 @@ class Bridges(unittest.TestCase):
                 (a, b) = (numpy.array(row[:3]) for row in list(done.frames("out.txt")[-1].values())[:2])
                 self.assertLess(numpy.linalg.norm(a - b) - 2 * RADIUS, 5e-5)
 
+    def test_bridges_stay_where_they_are_when_particles_are_deleted(self):
+        # One pair is wet and one dry, with gaps within the reach of a bridge. delete_atoms renumbers unless told not to.
+        wet, dry = (-RADIUS - 1.5e-6, 0, 0), (-RADIUS - 1.5e-6, 5e-3, 0)
+        spheres = [sphere(FAR), sphere(wet), sphere((RADIUS + 1.5e-6, 0, 0), (-0.1, 0, 0)),
+                   sphere((9e-3, 9e-3, 9e-3)), sphere(dry), sphere((RADIUS + 1e-5, 5e-3, 0))]
+        for compress in ("yes", "no"):
+            for ranks in (1, 2):
+                with self.subTest(compress=compress, ranks=ranks):
+                    done = Run(script(spheres, "model hooke/stiffness tangential off cohesion liquid_bridge "
+                                      "scheme exact absolute_damping on", liquid_bridge(1e-4, 5e-5), dt=9e-6,
+                                      every=25, skin=2e-4, run="run 25\ngroup gone id 1 4\n"
+                                      f"delete_atoms group gone compress {compress}\nrun 3000\n"), ranks=ranks)
+                    places = sorted(list(row[:3]) for row in done.frames("out.txt")[-1].values())
+                    a, b = (numpy.array(place) for place in places if place[1] < 2.5e-3)
+                    c, d = (numpy.array(place) for place in places if place[1] > 2.5e-3)
+                    self.assertLess(numpy.linalg.norm(a - b) - 2 * RADIUS, 5e-5)
+                    self.assertAlmostEqual(numpy.linalg.norm(c - d) - 2 * RADIUS, 1.15e-5, delta=1e-12)
+
 
 if __name__ == "__main__":
     unittest.main()

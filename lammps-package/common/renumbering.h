@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef COHESION_RENUMBERING_H
 #define COHESION_RENUMBERING_H
 
@@ -22,10 +22,7 @@ class Renumbering : protected Pointers {
   void translate(std::vector<tagint>& ids) const;
 
  private:
-  struct Change {
-    tagint before, now;
-  };
-  std::vector<Change> own_;
+  std::vector<tagint> own_;  // of each particle of this process, the ID before and the ID now
   bool any_;
 };
 
