@@ -173,8 +173,8 @@ def conclusion(what, lines):
     for law, own in by_law(lines).items():
         known = counts.get(LAWS[law].scheme, (0, 0, 0, 0))
         counts[LAWS[law].scheme] = [a + b for a, b in zip(known, numbers(law, own))]
-    subject = (f"{SUBJECTS[what]} are run at extreme values of their parameters, and compared with finer or event-driven "
-               "runs.")
+    subject = (f"{SUBJECTS[what]} are run at extreme values of their parameters, and compared with finer or "
+               "event-driven runs.")
     return " ".join([subject, *(of_scheme(scheme, *own) for scheme, own in counts.items())])
 
 
