@@ -54,8 +54,8 @@ A corner point sets one or a few parameters of the base point to an extreme valu
 
 {base}
 """
-DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight within "
-         "it in a contact time.")
+DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight "
+         "within it in a contact time.")
 INCORRECT = """
 Corner points with an incorrect case, and random points with a case that is incorrect without a warning, crashes, hangs
 or has no run as its reference. Numbers are errors of speeds over the largest speed:
@@ -85,7 +85,8 @@ def outcomes(rows):
             count = collections.Counter("right" if r[k][0].startswith("right") else r[k][0]
                                         for name, _, _, r in rows if name == model)
             known = {word(kind): count[kind] for kind in (*KINDS, "not set up")}
-            numbers = {"points": count.total(), **known, "no reference": count.total() - sum(known.values())}
+            number = sum(count.values())
+            numbers = {"points": number, **known, "no reference": number - sum(known.values())}
             found.append({"model": model, "case": case, **{name: str(number) for name, number in numbers.items()}})
     return found
 
@@ -146,7 +147,8 @@ def of_points(counts, points):
         names = "; ".join(point["varied"] for point in own if point not in wrong)
         number = len(CORNERS[model.split(",")[0]])
         found.append([model, f"{number - len(own)} of {number}", str(len(wrong)), names])
-    return table(("model", "corner points correct", "with an incorrect case", "the others stop or are not set up"), found)
+    head = ("model", "corner points correct", "with an incorrect case", "the others stop or are not set up")
+    return table(head, found)
 
 
 def is_incorrect(point):
