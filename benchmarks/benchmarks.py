@@ -6,7 +6,7 @@
   benchmarks.py BUILD NAME --help               its options
   benchmarks.py BUILD NAME --small              the same in a minute or two
   benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title;
-                                                of dense the .csv file beside FILE has all columns
+                                                of dense and features FILE's .csv has all columns
   benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
 BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
