@@ -68,10 +68,12 @@ class CornerPoints(unittest.TestCase):
         self.assertEqual(cells(page, "Corner points"),
                          [[SAMPLED.name, str(number), str(number - 1), "0", "1", "4.0e-02", str(number - 2)]])
         self.assertEqual(cells(page, OTHER), [[SAMPLED.name, "K 1e+07 N/m", "incorrect (3.0e-01)", "correct (1.0e-03)",
-                                               "2 steps per contact"]])
+                                               "yes"]])
         self.assertNotIn("Points that stop", page)
-        self.assertIn(f"Of {number} corner points with *sampled*, {number - 1} are correct and 1 is marginal,",
-                      page.replace("\n", " "))
+        for words in (f"Of {number} corner points with *sampled*, {number - 1} are correct and 1 is marginal,",
+                      "Runs of all incorrect ones warn."):
+            self.assertIn(words, page.replace("\n", " "))
+        self.assertIn("Runs of 1 incorrect corner points do not warn.", made({1: result("wrong", "right", "")})[1])
 
     def test_points_that_stop_are_counted_by_their_error(self):
         corners = {0: stopped("contacts unstable"), 3: stopped("contacts unstable"), 1: stopped("impact overlap 140 %")}
@@ -92,7 +94,7 @@ class CornerPoints(unittest.TestCase):
                          [(f"random {number + 1}: t_c/dt 16", "other outcome (3.0e-01)"),
                           (f"random {number + 2}: t_c/dt 17", "incorrect: not a number (3.0e-01)")])
         self.assertEqual(cells(page, OTHER), [[SAMPLED.name, "2 random points: t_c/dt 16 to 17", "errors up to 3.0e-01",
-                                               "errors up to 1.0e-03", ""]])
+                                               "errors up to 1.0e-03", "of others, no"]])
 
 
 class MainPage(unittest.TestCase):

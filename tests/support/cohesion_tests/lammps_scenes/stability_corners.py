@@ -24,10 +24,11 @@ WRITTEN = ("[Stability]({back}) defines points, cases and outcomes, and counts t
 OTHER = f"""
 ## Points that are {NEITHER}
 
-The error of a case is in brackets behind its outcome. Types in brackets mark warnings for contacts that do not occur.
-Random points are listed if they are incorrect without a warning for their contact; of laws that are not *sampled*, also
-with one. The option `--law NAME --point K` prints all values of random point K.
+The error of a case is in brackets behind its outcome. The last column lists whether the run warned of its contact, or
+only of contacts that do not occur. Random points are listed if they are incorrect without a warning for their contact;
+of laws that are not *sampled*, also with one. The option `--law NAME --point K` prints all values of random point K.
 """
+WARNED = {"warned": "yes", "elsewhere": "of others", "silent": "no"}
 STOPPED = """
 ## Points that stop with an error
 
@@ -167,6 +168,14 @@ def of_scheme(scheme, number, right, stopped, others):
     return f"Of {number} corner points {SCHEMES[scheme]}, {said}."
 
 
+def of_warnings(lines):
+    """Whether runs of incorrect corner points warn of their contact."""
+    wrong = [one for one in lines if one["points"] == "corner"
+             and re.search("incorrect|other outcome", one["first case"] + one["second case"])]
+    silent = sum(kind("wrong", one["reported"]) != "warned" for one in wrong)
+    return f"Runs of {silent} incorrect corner points do not warn." if silent else "Runs of all incorrect ones warn."
+
+
 def conclusion(what, lines):
     """What was compared, and a sentence for each scheme."""
     counts = {}
@@ -175,7 +184,7 @@ def conclusion(what, lines):
         counts[LAWS[law].scheme] = [a + b for a, b in zip(known, numbers(law, own))]
     subject = (f"{SUBJECTS[what]} are run at extreme values of their parameters, and compared with finer or "
                "event-driven runs.")
-    return " ".join([subject, *(of_scheme(scheme, *own) for scheme, own in counts.items())])
+    return " ".join([subject, *(of_scheme(scheme, *own) for scheme, own in counts.items()), of_warnings(lines)])
 
 
 def paragraph(words):
@@ -188,18 +197,23 @@ def of_errors(lines, case):
     return f"errors up to {max(errors):.1e}" if errors else ""
 
 
+def warned(lines):
+    """Whether runs warned of their contact."""
+    return ", ".join(dict.fromkeys(WARNED[kind("wrong", one["reported"])] for one in lines))
+
+
 def other_points(lines):
     """Cells of the points that neither stop nor are correct; random ones of a sampled law share a line."""
     found = []
     for law, own in by_law(filter(is_other, lines)).items():
         inner = [one for one in own if one["points"] == "random" and LAWS[law].scheme == "sampled"]
         grouped = len(inner) > 1
-        found += [[one[name] for name in ("law", "varied", "first case", "second case", "reported")]
+        found += [[*(one[name] for name in ("law", "varied", "first case", "second case")), warned([one])]
                   for one in own if not (grouped and one in inner)]
         if grouped:
             steps = sorted(float(one["varied"].split("t_c/dt ")[1]) for one in inner)
             found.append([law, f"{len(inner)} random points: t_c/dt {steps[0]:g} to {steps[-1]:g}",
-                          *(of_errors(inner, case) for case in ("first case", "second case")), ""])
+                          *(of_errors(inner, case) for case in ("first case", "second case")), warned(inner)])
     return found
 
 
@@ -234,7 +248,7 @@ def page(what, lines, back):
               *paragraph(written), "", "## Corner points", "", *summary(lines)]
     others = other_points(lines)
     if others:
-        result += [*OTHER.splitlines(), "", *table(["law", "point", "first case", "second case", "reported"], *others)]
+        result += [*OTHER.splitlines(), "", *table(["law", "point", "first case", "second case", "warned"], *others)]
     stopped = reasons(lines)
     if stopped:
         result += [*STOPPED.splitlines(), "", *stopped]
