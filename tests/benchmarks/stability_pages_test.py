@@ -71,9 +71,10 @@ class CornerPoints(unittest.TestCase):
                                                "yes"]])
         self.assertNotIn("Points that stop", page)
         for words in (f"Of {number} corner points with *sampled*, {number - 1} are correct and 1 is marginal,",
-                      "Runs of all incorrect ones warn."):
+                      "Incorrect corner points without a warning: 0."):
             self.assertIn(words, page.replace("\n", " "))
-        self.assertIn("Runs of 1 incorrect corner points do not warn.", made({1: result("wrong", "right", "")})[1])
+        page = made({1: result("wrong", "right", "")})[1]
+        self.assertIn("Incorrect corner points without a warning: 1.", page.replace("\n", " "))
 
     def test_points_that_stop_are_counted_by_their_error(self):
         corners = {0: stopped("contacts unstable"), 3: stopped("contacts unstable"), 1: stopped("impact overlap 140 %")}

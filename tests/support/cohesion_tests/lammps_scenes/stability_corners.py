@@ -173,7 +173,7 @@ def of_warnings(lines):
     wrong = [one for one in lines if one["points"] == "corner"
              and re.search("incorrect|other outcome", one["first case"] + one["second case"])]
     silent = sum(kind("wrong", one["reported"]) != "warned" for one in wrong)
-    return f"Runs of {silent} incorrect corner points do not warn." if silent else "Runs of all incorrect ones warn."
+    return f"Incorrect corner points without a warning: {silent}."
 
 
 def conclusion(what, lines):
