@@ -59,7 +59,7 @@ Each row has runs over 20 gas steps of five particle steps, in periodic boxes wi
 | first order | larger errors in some steps, below 0.01 at the end |
 | error | the error at the end, above 0.01; *reference unstable* where the reference gains more than 0.01 of energy |
 | unstable | no number, or more than 0.01 of energy gained |
-| stops | the solver stopped with an error |
+| stops | the solver stopped with an error; *below minVoidFraction*: cells have a smaller void fraction |
 | crashed | the run ended otherwise, with the error of the engine; "Lost atoms" are spheres outside the box |
 | warned | the solver warned of the gas step or of waves |
 
@@ -216,7 +216,9 @@ def worst(verdicts):
     parts = [part.removesuffix(", warned") for word in verdicts for part in word.split("; ")]
     others = (part for part in parts if not part.startswith("error"))
     unstable = ["reference unstable"] if any("reference unstable" in word for word in verdicts) else []
-    return "; ".join(dict.fromkeys([*said, *unstable, *others]))
+    words = "; ".join(dict.fromkeys([*said, *unstable, *others]))
+    words = words.replace("cells have a void fraction below", "below")
+    return re.sub(r"ERROR: | \(src/[^)]*\)", "", words)
 
 
 def groups(rows):

@@ -58,7 +58,8 @@ DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width*
          "within it in a contact time.")
 INCORRECT = """
 Corner points with an incorrect case, and random points with a case that is incorrect without a warning, crashes, hangs
-or has no run as its reference. Numbers are errors of speeds over the largest speed:
+or has no run as its reference. Numbers are errors of speeds over the largest speed; *incorrect* alone means incorrect,
+warned:
 """
 
 
@@ -159,7 +160,7 @@ def page(counts, points, name):
     """`name`: of the file, without its suffix."""
     shown = [point for point in points if point["points"] == "random" or is_incorrect(point)]
     cells = [[point["model"], ("random: " if point["points"] == "random" else "") + point["varied"],
-              *(point[case] for case in CASES)] for point in shown]
+              *(point[case].replace("incorrect, warned, ", "incorrect, ") for case in CASES)] for point in shown]
     incorrect = f"{INCORRECT}\n{table(('model', 'varied', *CASES), cells)}\n" if cells else ""
     files = f"\n[Outcomes]({name}.csv) and [points]({name}_points.csv) with the reported words are tables.\n"
     return (PAGE.format(summary=paragraph(SUBJECT + of_silent(counts)), numbers=of_numbers(counts))
