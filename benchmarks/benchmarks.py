@@ -5,7 +5,8 @@
   benchmarks.py BUILD NAME [options]            one of the tables below
   benchmarks.py BUILD NAME --help               its options
   benchmarks.py BUILD NAME --small              the same in a minute or two
-  benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title
+  benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title;
+                                                of dense and features FILE's .csv has all columns
   benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
 BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
@@ -18,7 +19,7 @@ from pathlib import Path
 
 import picture
 from build_folder import Missing, Programs
-from page import replace_section, source
+from page import beside, read, replace_section, source
 from scenes import REBUILD
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
@@ -70,9 +71,10 @@ def main():
     except Missing as error:
         sys.exit(str(error))
     if words.page:
-        replace_section(words.page, table.TITLE, lines)
+        brief = getattr(table, "brief", None)
+        replace_section(words.page, table.TITLE, beside(words.page, lines, brief) if brief else lines)
     if getattr(words, "picture", None):
-        picture.draw(words.name, picture.read(lines), words.picture)
+        picture.draw(words.name, read(lines), words.picture)
 
 
 if __name__ == "__main__":

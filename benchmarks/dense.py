@@ -100,6 +100,24 @@ def rows(programs, words):
     yield from verdict(against)
 
 
+def brief(table):
+    """Lines of a smaller table: a row for each style, with ratios alone; `table`: the rows, as dictionaries."""
+    turns = "over stock with cohesion, same turn"
+    columns = {"over stock": "over stock", "over stock with cohesion": "over stock with cohesion",
+               "time": turns}
+    names = list(dict.fromkeys(row["scene"].split(",")[0] for row in table))
+    found = {}
+    for row in table:
+        own = found.setdefault((row["engine"], row["style"]), {})
+        own[row["scene"].split(",")[0]] = [row[column].split(" ")[0] for column in columns.values()]
+    heads = [f"{name}: {column}" for name in names for column in columns]
+    yield "| engine | style | " + " | ".join(heads) + " |"
+    yield "|" + "---|" * (len(heads) + 2)
+    for (engine, style), own in found.items():
+        values = [value for name in names for value in own.get(name, [""] * len(columns))]
+        yield f"| {engine} | {style} | " + " | ".join(values) + " |"
+
+
 def over_cohesive(ways, counts, turns, cohesive):
     """{what: {style of this package: over the engine's own style with cohesion}}, of what was measured."""
     own = [name for name, (way, _) in ways.items() if way.endswith("+")]

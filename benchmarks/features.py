@@ -161,3 +161,16 @@ def rows(programs, words):
                + " | ".join("" if f is None else f"{f:.0f}" for f in found)
                + f" | {show(found[1], found[0])} | {show(found[2], found[0])} |")
         progress.add(1)
+
+
+def brief(table):
+    """Lines of a smaller table: what each feature costs when it is on, by scene; `table`: the rows, as dictionaries."""
+    names = list(dict.fromkeys(row["scene"] for row in table))
+    found = {}
+    for row in table:
+        if row["on/without"]:
+            found.setdefault((row["engine"], row["feature"]), {})[row["scene"]] = row["on/without"]
+    yield "| engine | feature | " + " | ".join(names) + " |"
+    yield "|" + "---|" * (len(names) + 2)
+    for (engine, feature), own in found.items():
+        yield f"| {engine} | {feature} | " + " | ".join(own.get(name, "") for name in names) + " |"

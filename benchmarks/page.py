@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts tables into a page of the documentation."""
+"""Puts tables into a page of the documentation, or beside it."""
+import csv
+import itertools
 import os
 import re
 import shlex
@@ -12,6 +14,34 @@ def source(words):
     """Line that says where a table is from; `words`: of the command line, behind the build folder."""
     return (f"From `benchmarks.py BUILD {shlex.join(words)}`, the load of the machine before it "
             f"{os.getloadavg()[0]:.1f} on {len(os.sched_getaffinity(0))} processors.")
+
+
+def cells(line):
+    return [cell.strip().replace("*", "") for cell in line.strip().strip("|").split("|")]
+
+
+def read(lines):
+    """The first table of `lines`: a dictionary for each row."""
+    table = itertools.takewhile(lambda line: line.startswith("|"),
+                                itertools.dropwhile(lambda line: not line.startswith("|"), lines))
+    rows = [cells(line) for line in table]
+    return [dict(zip(rows[0], row)) for row in rows[2:]]
+
+
+def read_csv(file):
+    with open(file, newline="") as opened:
+        return list(csv.DictReader(opened))
+
+
+def beside(file, lines, brief):
+    """The lines with brief(rows) in the place of the first table, all rows of which go to a .csv file beside `file`."""
+    rows = read(lines)
+    with open(file.with_suffix(".csv"), "w", newline="") as opened:
+        writer = csv.DictWriter(opened, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    first = next(n for n, line in enumerate(lines) if line.startswith("|"))
+    return [*lines[:first], *brief(rows), *lines[first + 2 + len(rows):]]
 
 
 def put(section, pattern, number, text):

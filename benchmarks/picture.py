@@ -5,10 +5,9 @@ a page.
 
   picture.py dense|growth|steps PAGE FILE.png
 
-PAGE: docs/verification/step_costs.md for dense, growth_costs.md there for growth, docs/lammps-package/stability.md for
+PAGE: docs/verification/step_costs.csv for dense, growth_costs.md there for growth, docs/lammps-package/stability.md for
 steps, or another file that benchmarks.py --page or stability-campaign.py --table has written.
 """
-import itertools
 import re
 import sys
 from pathlib import Path
@@ -18,20 +17,9 @@ import growth
 from cohesion_studies import program
 from cohesion_studies.drawing import pyplot, save
 from cohesion_tests.lammps_scenes import stability_pages
+from page import read, read_csv
 
 BAR = "#4477aa"
-
-
-def cells(line):
-    return [cell.strip().replace("*", "") for cell in line.strip().strip("|").split("|")]
-
-
-def read(lines):
-    """The first table of `lines`: a dictionary for each row."""
-    table = itertools.takewhile(lambda line: line.startswith("|"),
-                                itertools.dropwhile(lambda line: not line.startswith("|"), lines))
-    rows = [cells(line) for line in table]
-    return [dict(zip(rows[0], row)) for row in rows[2:]]
 
 
 def sections(page):
@@ -130,9 +118,11 @@ def draw_steps(tables):
     return figure
 
 
-def of_page(name, page):
-    """What the picture `name` is drawn from, off the text of a page."""
-    found = sections(page)
+def of_page(name, file):
+    """What the picture `name` is drawn from: rows of a .csv file, or a table of a page."""
+    if file.suffix == ".csv":
+        return read_csv(file)
+    found = sections(file.read_text())
     if name == "steps":
         tables = {}
         for row in read(found[stability_pages.STEPS_TITLE]):
@@ -152,7 +142,7 @@ def main():
     name, page, file = program.words(__doc__, 3)
     if name not in DRAWN:
         sys.exit(__doc__)
-    draw(name, of_page(name, Path(page).read_text()), file)
+    draw(name, of_page(name, Path(page)), file)
 
 
 if __name__ == "__main__":

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The stability campaign: all laws and schemes at the ends of their parameters and at random points between. Two
 spheres collide and a third strikes two; with walls a sphere hits one and another flies into the edge of two.
-stability_judge.py describes the comparison and its verdicts; stability_pages.py writes the pages.
+stability_judge.py describes the comparison and its verdicts; stability_pages.py and stability_corners.py write the
+pages.
 
   stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--table FILE.md] [--details FOLDER] [--points N] [--law TEXT]
   stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN --law NAME --point K     one point with all its warnings
+  stability-campaign.py --remake docs/verification     pages of corner points from their CSV files, without runs
 
 The pages of the documentation: --table docs/lammps-package/stability.md --details docs/verification. Points are the
 same in every run: number K of a law is drawn with its own seeds.
@@ -18,7 +20,7 @@ from pathlib import Path
 import numpy
 
 from cohesion_tests import lammps as engine, measuring_program
-from cohesion_tests.lammps_scenes import stability_laws, stability_pages
+from cohesion_tests.lammps_scenes import stability_corners, stability_laws, stability_pages
 from cohesion_tests.lammps_scenes.stability_judge import judge
 from cohesion_tests.lammps_scenes.stability_points import Point
 from cohesion_tests.progress import Progress
@@ -43,12 +45,19 @@ def campaign(laws, count, together, engine):
     return rows
 
 
-def pages(rows, table, details):
-    """[(file, text)] of the main page and those of corner points; None for a file that is only printed."""
-    corners = stability_pages.corner_pages(rows, link(details, table) if details else "stability.md")
-    files = {what: details and details / f"stability_{what}.md" for what in corners}
-    links = {what: link(table.parent, file) for what, file in files.items() if file}
-    return [(table, stability_pages.main_page(rows, links)), *((files[what], text) for what, text in corners.items())]
+def corner_pages(parts, details, back):
+    """Writes table and page of each part in the folder `details`, if there is one; returns their texts."""
+    texts = {what: stability_corners.page(what, lines, back) for what, lines in parts.items()}
+    for what, text in texts.items() if details else ():
+        stability_corners.write(details / f"stability_{what}.csv", parts[what])
+        (details / f"stability_{what}.md").write_text(text)
+    return texts
+
+
+def remake(details):
+    files = {what: details / f"stability_{what}.csv" for what in stability_corners.SUBJECTS}
+    corner_pages({what: stability_corners.read(file) for what, file in files.items()}, details,
+                 "../lammps-package/stability.md")
 
 
 def link(folder, file):
@@ -56,10 +65,12 @@ def link(folder, file):
 
 
 def main():
+    if sys.argv[1:2] == ["--remake"]:
+        return remake(Path(sys.argv[2]))
     words = measuring_program.words(
         __doc__, ("--table", {"metavar": "FILE.md", "type": Path, "help": "where to write the main page, too"}),
-        ("--details", {"metavar": "FOLDER", "type": Path, "help": "where to write stability_pairs.md and "
-                       "stability_walls.md, the pages of corner points; with --table"}),
+        ("--details", {"metavar": "FOLDER", "type": Path, "help": "where to write the pages of corner points "
+                       "and their tables, stability_pairs and stability_walls; with --table"}),
         ("--points", {"type": int, "default": 250, "help": "random points of each law"}),
         ("--law", {"default": "", "help": "only laws whose name contains this"}),
         ("--point", {"type": int, "help": "only this point"}),
@@ -75,10 +86,13 @@ def main():
     if words.details and not words.table:
         sys.exit("--details needs --table: the pages link to each other")
     rows = campaign(laws, words.points, words.together, engine)
-    for file, page in pages(rows, words.table, words.details):
-        print(page)
-        if file:
-            file.write_text(page)
+    parts, details = stability_corners.parts(rows), words.details
+    texts = corner_pages(parts, details, link(details, words.table) if details else "stability.md")
+    links = {what: link(words.table.parent, details / f"stability_{what}.md") for what in texts} if details else {}
+    main_page = stability_pages.main_page(rows, links)
+    if words.table:
+        words.table.write_text(main_page)
+    print(main_page, *texts.values(), sep="\n")
 
 
 if __name__ == "__main__":

@@ -3,8 +3,10 @@
 """The cohesion models at the ends of their parameters, through LIGGGHTS.
 
   extremes-campaign.py LIGGGHTS_COHESION [--table FILE] [--points N] [--seed N] [--jobs N] [--scheme NAME]
+  extremes-campaign.py --remake FILE      the page FILE from the tables beside it, without runs
 
-What is done, and what the verdicts mean: tests/support/cohesion_tests/liggghts_scenes/extremes.py.
+What is done, and what the verdicts mean: tests/support/cohesion_tests/liggghts_scenes/extremes.py. Tables with
+all numbers of the page stand beside FILE.
 """
 import argparse
 import concurrent.futures
@@ -14,12 +16,14 @@ import sys
 import numpy
 
 from cohesion_tests.launcher import given_program
-from cohesion_tests.liggghts_scenes import extremes
+from cohesion_tests.liggghts_scenes import extremes, extremes_page
 from cohesion_tests.liggghts_scenes.extremes_points import CORNERS, LAWS, random_point
 from cohesion_tests.progress import Progress
 
 
 def main():
+    if sys.argv[1:2] == ["--remake"]:
+        return extremes_page.remake(pathlib.Path(sys.argv[2]))
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("launcher", type=given_program)
     words.add_argument("--table", metavar="FILE", help="where to write the page as well")
@@ -47,10 +51,10 @@ def main():
         rows.append((f"{law}, {scheme}", values, corner, results))
         progress.add(1)
     print(file=sys.stderr)
-    text = extremes.report(rows)
-    print(text)
+    counts, points = extremes_page.outcomes(rows), extremes_page.listed(rows)
+    print(extremes_page.page(counts, points, "extremes"))
     if words.table:
-        pathlib.Path(words.table).write_text(text)
+        extremes_page.write(pathlib.Path(words.table), counts, points)
 
 
 if __name__ == "__main__":

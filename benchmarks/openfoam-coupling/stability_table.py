@@ -9,9 +9,8 @@ the gas's Courant number: every row is runs of the solver. Two scenes, without g
 
     stability_table.py BUILD WORK [--table FILE] [--only TEXT ...] [--together N]
 
-A row takes some 5 seconds. --only: rows whose line has one of the texts, for instance '| 1e+06 |';
-rows that were not run stay as they are in the .csv
-file beside FILE, which has all rows.
+A row takes some 5 seconds. --only: rows whose line has one of the texts, for instance '| 1e+06 |'; rows that were not
+run stay as they are in the .csv file beside FILE, which has all rows. `--only none` remakes the page without runs.
 """
 
 import csv
@@ -49,20 +48,18 @@ benchmarks/openfoam-coupling/stability_table.py BUILD WORK --table FILE
 
 Each row has runs over 20 gas steps of five particle steps, in periodic boxes without gravity:
 
-| scene | content | errors |
+| scene | content | compared with |
 |---|---|---|
-| *uniform* | gas blown through free spheres | velocities of gas and particles over the slip at the start, compared with the exact solution |
-| *layer* | the same spheres in the lower half of a box four times as high; the gas blows them along | mean velocity of the particles and flux of the gas over the first velocity of the gas, compared with steps an eighth as long; *energy*: kinetic energy above that at the start |
-
-x is the gas step over m/b, R the mass of the particles over that of the gas.
+| *uniform* | gas blown through free spheres: velocities of gas and particles over the slip at the start | exact solution |
+| *layer* | the same spheres in the lower half of a box four times as high: mean velocity of the particles and flux of the gas over its first velocity | steps an eighth as long |
 
 | verdict | meaning |
 |---|---|
 | correct | all errors below 0.01 |
 | first order | larger errors in some steps, below 0.01 at the end |
-| error | the error at the end, above 0.01; *reference unstable* where the energy of the reference exceeds that at the start by 0.01 |
+| error | the error at the end, above 0.01; *reference unstable* where the reference gains more than 0.01 of energy |
 | unstable | no number, or more than 0.01 of energy gained |
-| stops | the solver stopped with an error |
+| stops | the solver stopped with an error; *below minVoidFraction*: cells have a smaller void fraction |
 | crashed | the run ended otherwise, with the error of the engine; "Lost atoms" are spheres outside the box |
 | warned | the solver warned of the gas step or of waves |
 
@@ -212,15 +209,39 @@ def is_right(row):
     return row[-1].removesuffix(", warned") in ("correct", "first order")
 
 
+def worst(verdicts):
+    """Verdicts of several rows in one cell: the largest error, and the others once each."""
+    errors = [float(word.split()[1].rstrip(",")) for word in verdicts if word.startswith("error")]
+    said = [f"error up to {max(errors):.1g}" if len(errors) > 1 else f"error {errors[0]:.1g}"] if errors else []
+    parts = [part.removesuffix(", warned") for word in verdicts for part in word.split("; ")]
+    others = (part for part in parts if not part.startswith("error"))
+    unstable = ["reference unstable"] if any("reference unstable" in word for word in verdicts) else []
+    words = "; ".join(dict.fromkeys([*said, *unstable, *others]))
+    words = words.replace("cells have a void fraction below", "below")
+    return re.sub(r"ERROR: | \(src/[^)]*\)", "", words)
+
+
+def groups(rows):
+    """Cells of the rows that are not right: those that differ in the stiffness alone share a line."""
+    found = {}
+    for row in rows:
+        if not is_right(row):
+            found.setdefault(tuple(row[1:LABEL - 1]), []).append(row)
+    return [[", ".join(row[0] for row in own), *name, worst([row[-1] for row in own]),
+             f"{sum('warned' in row[-1] for row in own)} of {len(own)}"] for name, own in found.items()]
+
+
 def page(rows, file):
     """Counts, and the rows that are not right; `file` has all."""
     counts = Counter(row[-1].removesuffix(", warned") for row in rows if is_right(row))
     missing = len(settings()) - len(rows)
     text = [f"{missing} of the {len(settings())} rows of the program are missing.", ""] if missing else []
     text += [f"Of {len(rows)} rows, {counts['correct']} are correct and {counts['first order']} of first order;"
-             f" [{file.name}]({file.name}) lists all. The others:", ""]
-    others = ["| " + " | ".join(row) + " |" for row in rows if not is_right(row)]
-    return "\n".join([PAGE, *text, HEAD, *others]) + "\n"
+             f" [{file.name}]({file.name}) lists all, with the", "errors and with x, the gas step over m/b. The others, by "
+             "stiffness:", ""]
+    names = [*cells(HEAD.splitlines()[0])[:LABEL - 1], "verdict", "warned"]
+    lines = ["| " + " | ".join(line) + " |" for line in (names, ["---"] * len(names), *groups(rows))]
+    return "\n".join([PAGE, *text, *lines]) + "\n"
 
 
 def main():

@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 from benchmarks import asked
-from page import replace_section, source
+from page import beside, read_csv, replace_section, source
 
 PAGE = """# Costs
 
@@ -78,6 +78,12 @@ class Page(unittest.TestCase):
         self.assertEqual(self.replaced("# Costs\n", "One", "| new |"), "# Costs\n\n## One\n\n| new |\n")
         self.file.unlink()
         self.assertEqual(self.replaced(None, "One", "| new |"), "## One\n\n| new |\n")
+
+    def test_all_rows_of_the_first_table_go_beside_the_page(self):
+        lines = ["Source.", "", "| a | b |", "|---|---|", "| *x* | 1 |", "| y | 2 |", "", "| c |", "|---|", "| 3 |"]
+        found = beside(self.file, lines, lambda rows: [f"| {rows[0]['a']} |"])
+        self.assertEqual(found, ["Source.", "", "| x |", "", "| c |", "|---|", "| 3 |"])
+        self.assertEqual(read_csv(self.file.with_suffix(".csv")), [{"a": "x", "b": "1"}, {"a": "y", "b": "2"}])
 
 
 if __name__ == "__main__":

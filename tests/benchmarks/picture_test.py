@@ -2,9 +2,11 @@
 """Pictures show the numbers of tables; tables of the pages of docs/ can be drawn: picture_test.py SOURCE."""
 import re
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
+import page
 import picture
 
 DOCS = Path(sys.argv[1]) / "docs"
@@ -48,11 +50,17 @@ Words.
 
 
 class Pictures(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name) / "page.md"
+        self.file.write_text(STEPS)
+
     def tearDown(self):
         picture.pyplot.close("all")
 
     def test_dense_has_a_panel_of_each_engine_with_bars_and_times(self):
-        panels = picture.draw_dense(picture.read(DENSE)).axes
+        panels = picture.draw_dense(page.read(DENSE)).axes
         self.assertEqual([[bar.get_width() for bar in panel.patches] for panel in panels], [[1.0, 2.0], [1.0]])
         limits = [next(line for line in panel.lines if line.get_linestyle() == ":").get_xdata()[0] for panel in panels]
         self.assertEqual(limits, [1.15 * 2.0, 1.15])
@@ -65,22 +73,22 @@ class Pictures(unittest.TestCase):
     def test_of_one_turn_there_is_no_range(self):
         one = [re.sub(r" \([\d.]+ to [\d.]+\)|: median \(least to most\)", "", line) for line in DENSE + GROWTH]
         dense, growth = one[:len(DENSE)], one[len(DENSE):]
-        panel = picture.draw_dense(picture.read(dense)).axes[0]
+        panel = picture.draw_dense(page.read(dense)).axes[0]
         ends = panel.containers[-1].lines[1]
         self.assertEqual([line.get_xdata()[0] for line in ends], [1.8, 1.8])
-        right = picture.draw_growth(picture.read(growth)).axes[1]
+        right = picture.draw_growth(page.read(growth)).axes[1]
         self.assertEqual([list(part.lines[0].get_ydata()) for part in right.containers], [[1.0, 1.2], [1.0, 1.4]])
         self.assertEqual(right.get_ylabel(), "over 10 spheres, one turn")
 
     def test_growth_has_a_line_of_each_style(self):
-        left, right = picture.draw_growth(picture.read(GROWTH)).axes
+        left, right = picture.draw_growth(page.read(GROWTH)).axes
         self.assertEqual([list(line.get_ydata()) for line in left.lines], [[5.0, 6.0], [7.0, 9.8]])
         self.assertEqual([line.get_label() for line in left.lines], ["a", "b"])
         middles = [list(part.lines[0].get_ydata()) for part in right.containers]
         self.assertEqual(middles, [[1.0, 1.2], [1.0, 1.4]])
 
     def test_steps_have_the_share_of_correct_cases(self):
-        tables = picture.of_page("steps", STEPS)
+        tables = picture.of_page("steps", self.file)
         self.assertEqual(list(tables), ["law"])
         shares = picture.draw_steps(tables).axes[0].images[0].get_array()
         self.assertEqual(shares[0, 0], 3 / 6)
@@ -88,10 +96,10 @@ class Pictures(unittest.TestCase):
                          ["3 of 6\n2 unwarned\n1 of 4 stop", "0 of 0\n4 of 4 stop"])
 
     def test_pages_of_the_documentation_can_be_drawn(self):
-        for name, page in (("dense", "verification/step_costs.md"), ("growth", "verification/growth_costs.md"),
+        for name, where in (("dense", "verification/step_costs.csv"), ("growth", "verification/growth_costs.md"),
                            ("steps", "lammps-package/stability.md")):
             with self.subTest(name):
-                self.assertTrue(picture.DRAWN[name](picture.of_page(name, (DOCS / page).read_text())).axes)
+                self.assertTrue(picture.DRAWN[name](picture.of_page(name, DOCS / where)).axes)
 
 
 if __name__ == "__main__":

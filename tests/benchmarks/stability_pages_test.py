@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages of the stability campaign: every corner point is either counted as correct or listed, and the committed pages
-have the form that the program writes: stability_pages_test.py SOURCE."""
+"""Pages of the stability campaign: every corner point is either counted as correct or listed in the table, and the
+committed pages are those that the program makes: stability_pages_test.py SOURCE."""
 import re
 import sys
 import unittest
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy
 
-from cohesion_tests.lammps_scenes import stability_laws, stability_pages as pages
+from cohesion_tests.lammps_scenes import stability_corners, stability_laws, stability_pages as pages
 from cohesion_tests.lammps_scenes.stability_judge import Result
 from cohesion_tests.lammps_scenes.stability_points import Point
 
@@ -45,43 +45,57 @@ def cells(page, section):
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
 
 
+OTHER = f"Points that are {stability_corners.NEITHER}"
+
+
+def made(corners, inner=()):
+    """Lines of the table of SAMPLED, and its page."""
+    lines = stability_corners.lines_of(SAMPLED.name, campaign(SAMPLED, corners, inner)[SAMPLED.name])
+    return lines, stability_corners.page("pairs", lines, "stability.md")
+
+
 class CornerPoints(unittest.TestCase):
     def test_correct_points_are_counted_by_what_they_vary(self):
         """Hamaker's corner points begin with two of K, of which the second is not correct here."""
         corners = {1: result("wrong by 0.3", "right", "2 steps per contact"),
                    2: CORRECT._replace(errors={"first": 0.04, "second": 0.01}, said="")}
-        page = pages.corner_page("pairs", campaign(SAMPLED, corners), "stability.md")
-        counted = dict(cells(page, "Correct corner points"))
+        lines, page = made(corners)
+        counted = {line["varied"]: (line["number"], line["largest error"], line["reported"]) for line in lines}
         number = len(SAMPLED.corners)
-        self.assertEqual(counted["K"], "1 (2.0e-03)")
-        self.assertEqual(counted["e"], "4 (4.0e-02)")
-        self.assertEqual(counted["all"], f"{number - 1} (4.0e-02)")
-        self.assertEqual(counted["of these with a warning"], str(number - 2))
-        self.assertEqual(counted["all corner points"], str(number))
-        self.assertEqual(cells(page, "Other points"),
-                         [[SAMPLED.name, "K 1e+07 N/m", "incorrect (3.0e-01)", "correct (1.0e-03)",
-                           "2 steps per contact"]])
-        self.assertNotIn("Random points that stop", page)
+        self.assertEqual(counted["K"], ("1", "2.0e-03", ""))
+        self.assertEqual(counted["e"], ("4", "4.0e-02", ""))
+        self.assertEqual(counted["all"], (str(number - 1), "4.0e-02", f"{number - 2} with a warning"))
+        self.assertEqual(cells(page, "Corner points"),
+                         [[SAMPLED.name, str(number), str(number - 1), "0", "1", "4.0e-02", str(number - 2)]])
+        self.assertEqual(cells(page, OTHER), [[SAMPLED.name, "K 1e+07 N/m", "incorrect (3.0e-01)", "correct (1.0e-03)",
+                                               "yes"]])
+        self.assertNotIn("Points that stop", page)
+        for words in (f"Of {number} corner points with *sampled*, {number - 1} are correct and 1 is marginal,",
+                      "Incorrect corner points without a warning: 0."):
+            self.assertIn(words, page.replace("\n", " "))
+        page = made({1: result("wrong", "right", "")})[1]
+        self.assertIn("Incorrect corner points without a warning: 1.", page.replace("\n", " "))
 
-    def test_points_of_the_same_cells_share_a_row(self):
+    def test_points_that_stop_are_counted_by_their_error(self):
         corners = {0: stopped("contacts unstable"), 3: stopped("contacts unstable"), 1: stopped("impact overlap 140 %")}
-        page = pages.corner_page("pairs", campaign(SAMPLED, corners), "stability.md")
-        self.assertEqual([row[1:] for row in cells(page, "Other points")],
-                         [["K 10 N/m; e 0.001", "stops", "stops", "contacts unstable"],
-                          ["K 1e+07 N/m", "stops", "stops", "impact overlap 140 %"]])
+        inner = ((3.0, stopped("impact overlap 140 %; more")), (3.0, stopped("impact overlap 3e+02 %")))
+        lines, page = made(corners, inner)
+        self.assertEqual([line["varied"] for line in lines if line["reported"] == "contacts unstable"],
+                         ["K 10 N/m", "e 0.001"])
+        self.assertEqual(cells(page, "Points that stop with an error"),
+                         [["contacts unstable", "2, 0"], ["impact overlap # %", "1, 2"]])
 
     def test_random_points_are_listed_without_a_warning_for_their_contact(self):
         inner = ((10.0, result("wrong by 0.3", "right", "10 steps per contact")),
                  (16.0, result("other outcome", "right", "11 steps per contact (2 - 2)")),
-                 (17.0, result("wrong: not a number", "right", "")), (3.0, stopped("impact overlap 140 %; more")),
-                 (3.0, stopped("impact overlap 3e+02 %")))
-        page = pages.corner_page("pairs", campaign(SAMPLED, {}, inner), "stability.md")
+                 (17.0, result("wrong: not a number", "right", "")))
+        lines, page = made({}, inner)
         number = len(SAMPLED.corners)
-        self.assertEqual([row[1:3] for row in cells(page, "Other points")],
-                         [[f"random {number + 1}: t_c/dt 16", "other outcome (3.0e-01)"],
-                          [f"random {number + 2}: t_c/dt 17", "incorrect: not a number (3.0e-01)"]])
-        self.assertEqual(cells(page, "Random points that stop with an error"),
-                         [[SAMPLED.name, "impact overlap # %", "2"]])
+        self.assertEqual([(line["varied"], line["first case"]) for line in lines if line["points"] == "random"],
+                         [(f"random {number + 1}: t_c/dt 16", "other outcome (3.0e-01)"),
+                          (f"random {number + 2}: t_c/dt 17", "incorrect: not a number (3.0e-01)")])
+        self.assertEqual(cells(page, OTHER), [[SAMPLED.name, "2 random points: t_c/dt 16 to 17", "errors up to 3.0e-01",
+                                               "errors up to 1.0e-03", "of others, no"]])
 
 
 class MainPage(unittest.TestCase):
@@ -104,35 +118,32 @@ class MainPage(unittest.TestCase):
 class CommittedPages(unittest.TestCase):
     def setUp(self):
         self.main = (DOCS / "lammps-package/stability.md").read_text()
-        self.corners = {what: (DOCS / f"verification/stability_{what}.md").read_text() for what in ("pairs", "walls")}
+        self.tables = {what: stability_corners.read(DOCS / f"verification/stability_{what}.csv")
+                       for what in stability_corners.SUBJECTS}
 
     def test_every_corner_point_is_counted_or_listed(self):
         measured = [row[0] for row in cells(self.main, "Results")]
-        for page in self.corners.values():
-            names = re.search(r"^\| varied \|(.*)\|$", page, re.M)[1].split(" | ")
-            counted = {row[0]: row[1:] for row in cells(page, "Correct corner points")}
-            for number, name in enumerate(map(str.strip, names)):
-                with self.subTest(name):
-                    measured.remove(name)
-                    listed = [point for row in cells(page, "Other points") if row[0] == name
-                              for point in row[1].split("; ") if not point.startswith("random ")]
-                    correct = int(counted["all"][number].split()[0])
-                    self.assertEqual(correct + len(listed), len(LAWS[name].corners))
-                    self.assertEqual(counted["all corner points"][number], str(len(LAWS[name].corners)))
-                    self.assertLessEqual(set(listed), corner_texts(LAWS[name]))
-        self.assertEqual(measured, [])
+        laws = {law: own for lines in self.tables.values() for law, own in stability_corners.by_law(lines).items()}
+        self.assertEqual(sorted(measured), sorted(laws))
+        for name, own in laws.items():
+            with self.subTest(name):
+                counted = [line for line in own if stability_corners.is_counted(line)]
+                listed = [line["varied"] for line in own if line["points"] == "corner" and line not in counted]
+                correct = int(stability_corners.total(own)["number"])
+                self.assertEqual(sum(int(line["number"]) for line in counted), 2 * correct)
+                self.assertEqual(correct + len(listed), len(LAWS[name].corners))
+                self.assertLessEqual(set(listed), corner_texts(LAWS[name]))
 
-    def test_words_of_the_pages_are_those_of_the_program(self):
+    def test_pages_are_those_of_the_tables(self):
         for words in (pages.HEAD, pages.TERMS, pages.BY_STEPS.splitlines()):
             self.assertIn("\n".join(words), self.main)
-        for what, page in self.corners.items():
-            for words in (pages.CORNER_HEAD.format(what=what, back="../lammps-package/stability.md"), pages.CORRECT,
-                          pages.OTHER, pages.STOPPED):
-                self.assertIn(words, page)
+        for what, lines in self.tables.items():
+            self.assertEqual((DOCS / f"verification/stability_{what}.md").read_text(),
+                             stability_corners.page(what, lines, "../lammps-package/stability.md"))
 
 
 def corner_texts(law):
-    return {pages.text(law, pages.changed(make(law, values))) for values in law.corners}
+    return {stability_corners.text(law, stability_corners.changed(make(law, values))) for values in law.corners}
 
 
 if __name__ == "__main__":

@@ -2,10 +2,11 @@
 """How extremes.py judges: triples at two times alike, and what it tells of warnings."""
 import os
 import unittest
+from pathlib import Path
 
 import numpy
 
-from cohesion_tests.liggghts_scenes import extremes
+from cohesion_tests.liggghts_scenes import extremes, extremes_page
 from cohesion_tests.liggghts_scenes.extremes_points import LAWS, RADIUS, Partners
 
 LAUNCHER = os.environ["COHESION_LAUNCHER"]
@@ -59,22 +60,31 @@ class Warned(unittest.TestCase):
 
 
 class Report(unittest.TestCase):
+    VALUES = LAWS["hamaker"]
+    ROWS = [("hamaker", VALUES, False, [("right", 0.0, ""), ("wrong, silent", 0.3, ""),
+                                        ("right, later alone", 0.0, "")]),
+            ("hamaker", VALUES, False, [("refused", None, ""), ("right", 0.0, ""), ("no reference", None, "")]),
+            ("hamaker", VALUES, False, [("right", 0.0, ""), ("right", 0.0, ""), ("reference crashed", None, "")])]
+
     def test_counts(self):
-        values = LAWS["hamaker"]
-        rows = [("hamaker", values, False, [("right", 0.0, ""), ("wrong, silent", 0.3, ""),
-                                            ("right, later alone", 0.0, "")]),
-                ("hamaker", values, False, [("refused", None, ""), ("right", 0.0, ""), ("no reference", None, "")]),
-                ("hamaker", values, False, [("right", 0.0, ""), ("right", 0.0, ""), ("reference crashed", None, "")])]
-        lines = extremes.report(rows).splitlines()
-        for line in ("| hamaker | pair | 3 | 2 | 0 | 0 | 0 | 1 | 0 | 0 | 0 | 0 |",
-                     "| hamaker | wall | 3 | 2 | 0 | 0 | 1 | 0 | 0 | 0 | 0 | 0 |",
-                     "| hamaker | three spheres | 3 | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 2 |",
-                     "Of the correct cases of three spheres 0 are correct at the first time only, 1 at the second only.",
-                     f"| hamaker | {extremes.name_of(values)} | 0 of 0 | 2 |"):
-            self.assertIn(line, lines)
-        self.assertEqual(len([line for line in lines if line.startswith("| random: ")]), 2)
-        self.assertIn("| correct, 0.0e+00 | incorrect, no warning, 3.0e-01 | correct, later only, 0.0e+00 |",
-                      next(line for line in lines if line.startswith("| random: ")))
+        counts = extremes_page.outcomes(self.ROWS)
+        self.assertEqual([[row[name] for name in ("case", "points", "correct", "incorrect, no warning", "stops",
+                                                  "no reference")] for row in counts],
+                         [["pair", "3", "2", "0", "1", "0"], ["wall", "3", "2", "1", "0", "0"],
+                          ["three spheres", "3", "1", "0", "0", "2"]])
+        points = extremes_page.listed(self.ROWS)
+        self.assertEqual([point["points"] for point in points], ["random", "random"])
+        page = extremes_page.page(counts, points, "name")
+        for line in ("| hamaker | 3, 3, 3 | 2, 2, 1 | 0, 1, 0 | 1, 0, 0 | 0, 0, 2 |",
+                     f"| hamaker | random: {extremes_page.name_of(self.VALUES)} | correct, 0.0e+00 |"
+                     " incorrect, no warning, 3.0e-01 | correct, later only, 0.0e+00 |"):
+            self.assertIn(line, page.splitlines())
+        self.assertIn("incorrect, no warning 1, crashed 0, hangs 0.", page.replace("\n", " "))
+
+    def test_committed_page_is_that_of_the_tables(self):
+        file = Path(__file__).resolve().parents[2] / "docs/verification/liggghts_extremes.md"
+        counts, points = map(extremes_page.read_table, extremes_page.tables(file))
+        self.assertEqual(file.read_text(), extremes_page.page(counts, points, file.stem))
 
 
 if __name__ == "__main__":

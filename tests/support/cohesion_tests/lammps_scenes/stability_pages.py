@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages of the stability campaign. `rows` everywhere: name of the law -> [(number, Point, Result)], corner points
-first. A point is correct if all its cases are."""
-import re
+"""Main page of the stability campaign; stability_corners.py has those of corner points. `rows` everywhere: name of the
+law -> [(number, Point, Result)], corner points first. A point is correct if all its cases are."""
 from collections import Counter
 
 from cohesion_tests.lammps_scenes import stability_laws
 from cohesion_tests.lammps_scenes.stability_judge import COARSE, kind
-from cohesion_tests.lammps_scenes.stability_points import NAMES, text
 
 STEPS = (2, 3, 4, 5, 10, 15, 20)
-CASES = ("first", "second")
 # Kinds of cases (stability_judge.kind) with the headings of their columns.
 COLUMNS = {"right": "correct", "warned": "incorrect, warned", "elsewhere": "incorrect, warned for other contacts",
            "silent": "incorrect, no warning", "marginal": "marginal", "not judged": "not judged"}
@@ -79,32 +76,6 @@ BY_STEPS = f"""
 Judged cases are the correct and the incorrect ones. Unwarned are those without a warning for their contact: they have
 none, or only warnings for other contacts.
 """
-CORNER_HEAD = f"""# Stability of {{what}}: corner points
-
-`{PROGRAM}` writes this page.
-[Stability]({{back}}) defines points, cases and outcomes.
-
-## Base points
-"""
-CORRECT = """
-## Correct corner points
-
-Each cell shows the number of corner points at which all cases are correct, and their largest error. The row *several*
-counts points that vary several parameters at once.
-"""
-OTHER = """
-## Other points
-
-This table lists the corner points that are not correct. It also lists the random points that are incorrect without a
-warning for their contact; of laws that are not *sampled*, those with a warning too. The error of a case is in brackets
-behind its outcome. Types in brackets mark warnings for contacts that do not occur. The option `--law NAME --point K`
-prints all values of random point K.
-"""
-STOPPED = """
-## Random points that stop with an error
-
-The sign # stands for a number.
-"""
 
 
 def table(*rows):
@@ -128,32 +99,6 @@ def stops(result):
 
 def correct(result):
     return set(result.verdicts.values()) == {"right"}
-
-
-def changed(point):
-    """The values of a corner point that differ from the base point."""
-    return {name: value for name, value in point.values.items() if value != point.law.base[name]}
-
-
-def parameter(point):
-    """What a corner point varies, in a word."""
-    names = {**NAMES, "steps": "steps"} if point.law.hard else NAMES
-    varied = list(changed(point))
-    return names.get(varied[0], varied[0]) if len(varied) == 1 else "several" if varied else "none"
-
-
-def outcome(verdict):
-    """A verdict in the words of the page; the size of an error stands beside it."""
-    if verdict.startswith("wrong"):
-        return "incorrect" + (verdict[len("wrong"):] if verdict.startswith("wrong:") else "")
-    return {"right": "correct", "refused": "stops"}.get(verdict, verdict)
-
-
-def cell(result, case):
-    if case not in result.verdicts:
-        return ""
-    error = f" ({result.errors[case]:.1e})" if case in result.errors else ""
-    return outcome(result.verdicts[case]) + error
 
 
 def summary(rows):
@@ -204,75 +149,3 @@ def main_page(rows, links):
     if links:
         lines += ["", "Corner points: " + ", ".join(f"[{what}]({where})" for what, where in links.items()) + "."]
     return "\n".join(lines + by_steps(rows)) + "\n"
-
-
-def correct_corners(rows):
-    """By what varies: number of correct corner points, and their largest error."""
-    found = {law: [row for row in split(results)[0] if correct(row[2])] for law, results in rows.items()}
-
-    def count(part):
-        errors = [error for _, _, r in part for error in r.errors.values()]
-        return f"{len(part)} ({max(errors):.1e})" if part else ""
-
-    names = dict.fromkeys(parameter(p) for part in found.values() for _, p, _ in part)
-    by_name = [[name, *(count([row for row in part if parameter(row[1]) == name]) for part in found.values())]
-               for name in sorted(names, key=lambda name: name == "several")]
-    total = ["all", *(count(part) for part in found.values())]
-    warned = ["of these with a warning", *(sum(kind("wrong", r.said) != "silent" for _, _, r in part)
-                                           for part in found.values())]
-    listed = ["all corner points", *(len(split(results)[0]) for results in rows.values())]
-    return table(["varied", *rows], *by_name, total, warned, listed)
-
-
-def listed_points(results):
-    """Corner points that are not correct, and random ones that are incorrect without a warning for the contact; of
-    laws that are not sampled also those with one. Points with the same cells share a row."""
-    first, inner = split(results)
-    shown = ("silent", "elsewhere", "crashed") + (() if results[0][1].law.scheme == "sampled" else ("warned",))
-    found = {}
-    for _, p, r in first:
-        if not correct(r):
-            found.setdefault(outcomes(r), []).append(text(p.law, changed(p)) or "base point")
-    for number, p, r in inner:
-        if any(kind(v, r.said) in shown for v in r.verdicts.values()):
-            found.setdefault(outcomes(r), []).append(f"random {number}: " + text(p.law, {"steps": p.values["steps"]}))
-    return [["; ".join(names), *cells] for cells, names in found.items()]
-
-
-def first_words(message):
-    """Of an error that stops a run."""
-    return re.split(r"[;.] ", message)[0]
-
-
-def outcomes(result):
-    """Cells of a point: its cases and what the run reported."""
-    return (*(cell(result, case) for case in CASES), first_words(result.said) if stops(result) else result.said)
-
-
-def reasons(results):
-    """Errors that stop runs of random points, with their number; # stands for a number."""
-    said = Counter(re.sub(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", "#", first_words(r.said)) for _, _, r in split(results)[1]
-                   if r.verdicts["first"] == "refused")
-    return said.most_common()
-
-
-def corner_page(what, rows, back):
-    """Page of `what` (pairs, walls); `back`: address of the main page."""
-    lines = [*CORNER_HEAD.format(what=what, back=back).splitlines(), "",
-             *table(["law", "base point"], *([law, text(results[0][1].law, results[0][1].law.base)]
-                                            for law, results in rows.items())),
-             *CORRECT.splitlines(), "", *correct_corners(rows)]
-    points = [[law, *row] for law, results in rows.items() for row in listed_points(results)]
-    if points:
-        lines += [*OTHER.splitlines(), "", *table(["law", "point", "first case", "second case", "reported"], *points)]
-    stopped = [[law, reason, count] for law, results in rows.items() for reason, count in reasons(results)]
-    if stopped:
-        lines += [*STOPPED.splitlines(), "", *table(["law", "error", "points"], *stopped)]
-    return "\n".join(lines) + "\n"
-
-
-def corner_pages(rows, back):
-    """Name (pairs, walls) -> text of its page."""
-    parts = {what: {law: results for law, results in rows.items() if law.startswith("fix wall/") == (what == "walls")}
-             for what in ("pairs", "walls")}
-    return {what: corner_page(what, part, back) for what, part in parts.items() if part}

@@ -10,8 +10,8 @@ that it warns of rounded places is no reference. Errors are relative to the larg
 from the attraction, F_ad/sqrt(mu K).
 
 Three spheres may turn round or part a little later than in the reference, and differ between the two turns alone. All
-are compared at two times, the end and half a contact time later, and are wrong where they are so at both. The page
-counts those that are right at one of the two alone.
+are compared at two times, the end and half a contact time later, and are wrong where they are so at both.
+extremes_page.py writes the page.
 
 Points are the same in both schemes. Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`:
 other, and the run said of a contact that occurs that the step is too large for the contact, the cut-off or the well, or
@@ -21,7 +21,6 @@ too small for rounded places;
 that touch would overlap by half a radius; `no reference`; `reference` with what became of it. Of an overlap at the
 start is asked that no energy is gained.
 """
-import collections
 import math
 import re
 import subprocess
@@ -32,7 +31,7 @@ import numpy
 
 from cohesion_tests import dumps, launcher
 from cohesion_tests.brief_warnings import ROUNDED, fits, of_own, short, warnings
-from cohesion_tests.liggghts_scenes.extremes_points import DENSITY, LAWS, RADIUS, Partners, name_of
+from cohesion_tests.liggghts_scenes.extremes_points import DENSITY, LAWS, RADIUS, Partners
 
 AIM, FINER = 0.1, 16
 SECONDS = 120  # far above what a run takes, on a busy machine too
@@ -40,52 +39,11 @@ SECONDS = 120  # far above what a run takes, on a busy machine too
 LATER = 0.5
 SCHEMES = ("exact", "sampled")
 CASES = ("pair", "wall", "three spheres")
-HEAD = ("| varied | pair | wall | three spheres | reported |", "|---|---|---|---|---|")
 # Right at the end, and later.
 ONCE = {(True, False): ", later not", (False, True): ", later alone"}
 SILENT = "wrong, silent"
 WRONG = {"warned": "wrong, warned", "elsewhere": "wrong, other types warned", "silent": SILENT}
 KINDS = ("right", *WRONG.values(), "refused", "crashed", "hangs")
-
-# Verdicts in the words of the page.
-WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
-         "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
-
-PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
-
-The campaign runs the cohesion models with *hooke/stiffness* contacts at the ends of their parameters and at random
-points between. It counts the incorrect results of runs without a warning. Use this page to see how far the time-step
-check can be relied on.
-
-```
-benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS --table FILE
-```
-
-| case | particles, 1 mm, 2650 kg/m3 | compared with |
-|---|---|---|
-| pair | two spheres, head-on | closed form |
-| wall | a sphere and a wall, head-on | closed form |
-| three spheres | a sphere strikes two in contact | a sixteenth of the step, at two times |
-
-| outcome | meaning |
-|---|---|
-| correct | the same particles stick, and speeds agree within 0.1 of the largest speed, for three spheres at one of the times |
-| incorrect, warned | the run warned of this contact |
-| incorrect, warned for other contacts | the run warned only of contacts that do not occur |
-| incorrect, no warning | the run did not warn |
-| stops | the run stops with an error |
-| crashed, hangs | the run ended otherwise, or not at all |
-| not set up | contacts would overlap by half a radius |
-| no reference | the finer run warned of rounding |
-
-*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight within it in a
-contact time.
-"""
-POINTS = """
-A corner point sets one or a few parameters of the base point to an extreme value. The third column counts corner points
-with a case that is not correct. The last one counts random points with a case that is incorrect without a warning,
-crashed or hangs, or has no run as its reference.
-"""
 
 SCRIPT = """units si
 atom_style granular
@@ -246,62 +204,3 @@ def said_of(results):
     if len(set(texts.values())) == 1:
         return next(iter(texts.values()))
     return ". ".join(f"{case}: {text}" for case, text in texts.items() if text)
-
-
-def word(verdict):
-    """A verdict as the page has it."""
-    start = next((known for known in WORDS if verdict.startswith(known)), "")
-    return WORDS.get(start, "") + verdict[len(start):].replace("alone", "only")
-
-
-def cell(result):
-    return word(result[0]) + ("" if result[1] is None else f", {result[1]:.1e}")
-
-
-def silent(verdict):
-    """Whether it says that something went wrong and no run told so."""
-    return verdict in (SILENT, "crashed", "hangs") or verdict.startswith("reference ")
-
-
-def counted(rows, model):
-    """Lines of the table of outcomes, of a model."""
-    lines = []
-    for k, case in enumerate(CASES):
-        count = collections.Counter("right" if r[k][0].startswith("right") else r[k][0]
-                                    for name, _, _, r in rows if name == model)
-        known = [count[kind] for kind in (*KINDS, "not set up")]
-        lines.append(f"| {model} | {case} | {sum(count.values())} | " + " | ".join(map(str, known))
-                     + f" | {sum(count.values()) - sum(known)} |")
-    return lines
-
-
-def listed(rows, model):
-    """Of a model: its corner points; those with a case that is not right; random points with a silent case."""
-    own = [(values, corner, results) for name, values, corner, results in rows if name == model]
-    corners = [(values, results) for values, corner, results in own if corner]
-    shown = [(values, results) for values, results in corners if not all(x[0].startswith("right") for x in results)]
-    found = [(values, results) for values, corner, results in own if not corner and any(silent(x[0]) for x in results)]
-    return corners, shown, found
-
-
-def report(rows):
-    """Rows: name of the model, values, whether they are a corner, results."""
-    models = list(dict.fromkeys(row[0] for row in rows))
-    lines = [*PAGE.splitlines(), "", "## Results", "",
-             "| model | case | points | " + " | ".join(map(word, KINDS)) + " | not set up | no reference |",
-             "|---|---|---|" + (len(KINDS) + 2) * "---|"]
-    lines += [line for model in models for line in counted(rows, model)]
-    once = collections.Counter(r[2][0] for _, _, _, r in rows)
-    now, later = (once["right" + words] for words in ONCE.values())
-    lines += ["", f"Of the correct cases of three spheres {now} are correct at the first time only, {later} at the second "
-              "only.", *POINTS.splitlines(), "",
-              "| model | base point | corner points, not correct | random points, no warning |", "|---|---|---|---|"]
-    points = {model: listed(rows, model) for model in models}
-    lines += [f"| {model} | {name_of(LAWS[model.split(',')[0]])} | {len(shown)} of {len(corners)} | {len(found)} |"
-              for model, (corners, shown, found) in points.items()]
-    for model, (_, shown, found) in points.items():
-        if shown or found:
-            lines += ["", f"## {model}", "", *HEAD]
-        lines += [f"| {start}{name_of(v)} | " + " | ".join(map(cell, r)) + f" | {said_of(r)} |"
-                  for start, part in (("", shown), ("random: ", found)) for v, r in part]
-    return "\n".join(lines) + "\n"
