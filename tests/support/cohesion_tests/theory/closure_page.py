@@ -7,8 +7,7 @@ from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 
 PAGE = SOURCE / "docs/openfoam-coupling/drag_closures.md"
 #: Void fraction and Reynolds number of the columns of the table under "How far they are apart".
-CASES = ((0.4, 0.01), (0.4, 10), (0.4, 100), (0.4, 1000), (0.6, 0.01), (0.6, 100), (0.9, 0.01), (0.9, 100),
-         (0.9999, 10), (0.9999, 100), (0.9999, 1000))
+CASES = ((0.4, 0.01), (0.4, 100), (0.4, 1000), (0.6, 100), (0.9, 100), (0.9999, 100))
 
 
 def rows(heading):
