@@ -9,6 +9,7 @@
 #include "contact/adhesive_contact.h"
 #include "contact_solver/closest_packing.h"
 #include "contact_solver/damped_oscillator.h"
+#include "contact_solver/linear_contact.h"
 #include "validation.h"
 
 namespace cohesion::advice {
@@ -103,18 +104,23 @@ class ContactNumbers {
     double low = 0.0, high = pi / w0_;
     for (int k = 0; k < 50; k++) {
       const double dt = 0.5 * (low + high);
-      const auto phase = [&](double stiffness, double damping, double inverse_mass) {
-        const contact_solver::DiscreteConstants spring =
-            p_.is_linear
-                ? contact_solver::discrete_constants(stiffness, damping, 1.0 / inverse_mass, dt)
-                : contact_solver::DiscreteConstants{stiffness, damping};
+      const auto phase = [&](double stiffness, double damping, double inverse_mass,
+                             bool may_be_taut = false) {
+        contact_solver::DiscreteConstants spring{stiffness, damping};
+        if (p_.is_linear)
+          spring = contact_solver::discrete_constants(stiffness, damping, 1.0 / inverse_mass, dt);
+        if (may_be_taut)
+          spring.stiffness =
+              contact_solver::LinearContact::taut_stiffness(stiffness, spring.stiffness);
         return contact_solver::squared_phase(spring, dt, inverse_mass);
       };
       // At its largest overlap, Hertz's spring has dF/dx = 3/2 F/x and the dashpot c, where 4/5 F/x
-      // and 4/5 c stand for them (power_law_spring.h).
+      // and 4/5 c stand for them (power_law_spring.h). In a packing under tension all linear
+      // contacts with adhesion may be taut.
       const double tangent = p_.is_linear ? 1.0 : 1.875, dashpot = p_.is_linear ? 1.0 : 1.25;
       const bool steady = packing.is_steady(
-          phase(tangent * p_.stiffness, dashpot * p_.damping, 1.0 / pair_mass(p_)),
+          phase(tangent * p_.stiffness, dashpot * p_.damping, 1.0 / pair_mass(p_),
+                p_.is_linear && p_.adhesion.force > 0.0),
           phase(p_.tangential_stiffness, p_.tangential_damping, inverse_sliding_mass()),
           phase(p_.rolling_stiffness, p_.rolling_damping, inverse_rolling_mass()));
       (steady ? low : high) = dt;

@@ -175,8 +175,8 @@ class ContactSolver : public PairCourse {
     result.force = reduced_mass_ * ((mean - at.rate) / velocity_step - external);
     if (flies && !before.in_range() && settles(at, external, account, before, result.force))
       state.phase = ContactState::settling;
-    if (touches) state.phase = ContactState::touching;
     if (event) state.phase = in_range ? ContactState::entered : ContactState::left;
+    if (result.normal.contact_time >= step()) state.phase = ContactState::touching;
     // Of the distance, along the normal at the next time level.
     const double staggered = (along * mean + across * at.sideways) / now.distance;
     if (!flies) state.velocity_offset = now.radial - staggered - 0.5 * step() * external;

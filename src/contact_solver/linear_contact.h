@@ -55,10 +55,15 @@ class LinearContact {
         weight_(step < 0.5 * spring.contact_time() ? spring.stiffness() / discrete_.stiffness
                                                    : 1.0),
         taut_overlap_(taut_part * attraction / spring.stiffness()),
-        taut_stiffness_(discrete_.stiffness +
-                        (taut_overlap_ > 0.0 ? (attraction - attraction_) / taut_overlap_ : 0.0)),
+        taut_stiffness_(taut_stiffness(spring.stiffness(), discrete_.stiffness)),
         damping_(spring.damping()) {
     if (damping_ > 0.0) set_dissipation();
+  }
+
+  /// K_t [force/length] of a contact with stiffness K and discrete stiffness K'; it does not depend
+  /// on F_ad.
+  static double taut_stiffness(double stiffness, double discrete) {
+    return discrete + (stiffness - discrete) / taut_part;
   }
 
   /// K' and eta'.
