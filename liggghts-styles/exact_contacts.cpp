@@ -180,7 +180,10 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   CachedContact* const k = cached_contact(d);
   last_contact_ = k;
   time_apart_ = 0.0;
-  if (!k) return false;
+  if (!k) {
+    hold(d);
+    return false;
+  }
   ContactState state;
   if (!d.computeflag || (first && accelerations_->last_step() > 0.0)) {
     if (repeat(*k, d, step, state)) {
@@ -199,7 +202,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   state = last ? ContactState::stored(last) : ContactState{ContactState::unknown};
   // What binds a pair, such as a bridge, is not to be seen from its distance.
   if (first && was_in_range(d) && r <= k->solver->outer_distance())
-    state.phase = ContactState::inside;
+    state.phase = ContactState::held;
   time_apart_ = k->solver->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
@@ -254,6 +257,7 @@ bool ExactContacts::repeat(const CachedContact& k, const ContactModels::Surfaces
   double* const history = d.contact_history + offset_;
   if (history[STEP] != accelerations_->clock() + 1.0) return false;
   state = ContactState::stored(history);
+  if (state.phase == ContactState::held) return false;
   const double now = lmp_->update->dt, then = accelerations_->last_step();
   if (d.computeflag && then != now) {
     if (state.force == 0.0 || !k.solver->gave_impulse(state)) return false;
@@ -265,6 +269,14 @@ bool ExactContacts::repeat(const CachedContact& k, const ContactModels::Surfaces
   step.repulsion = history[REPULSION];
   step.normal.contact_time = state.contact_time;
   return true;
+}
+
+/// Leaves a contact in range that nothing could move in this step.
+void ExactContacts::hold(const ContactModels::SurfacesCloseData& d) const {
+  if (!d.computeflag || !d.shearupdate)
+    remember(d, was_in_range(d));  // a step that is computed again
+  else if (const double* const last = last_record(d))
+    write(d, ContactState::stored(last).hold(), {});
 }
 
 void ExactContacts::write(const ContactModels::SurfacesCloseData& d, const ContactState& state,

@@ -146,6 +146,7 @@ class ExactContacts {
               cohesion::contact_solver::ContactStep& step, ContactState& state) const;
   bool was_in_range(const ContactModels::SurfacesCloseData&) const;
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
+  void hold(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
              const cohesion::contact_solver::ContactStep& step) const;
   /// `time_apart`: how much of the step before it was no contact, [time].

@@ -7,9 +7,9 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/energy_tally_of_runs.h"
+#include "common/renumbering.h"
 #include "domain.h"
 #include "engine/gravity.h"
-#include "common/renumbering.h"
 #include "error.h"
 #include "memory.h"
 #include "modify.h"
@@ -149,6 +149,20 @@ void FixContactStep::find_altered() {
   if (all) forward_flagged(flagged, &FixContactStep::alteration, AlteredParticles::EACH);
 }
 
+void FixContactStep::repeat_forces(int i, int j,
+                                   const cohesion::contact_solver::PairImpulse& forces) const {
+  const auto add = [](double* to, const Vector3& a) {
+    to[0] += a.x;
+    to[1] += a.y;
+    to[2] += a.z;
+  };
+  add(atom->f[i], -forces.impulse);
+  add(atom->torque[i], forces.torque_i);
+  if (j < 0 || j >= atom->nlocal) return;
+  add(atom->f[j], forces.impulse);
+  add(atom->torque[j], forces.torque_j);
+}
+
 /// Contact histories are stored by particle ID: styles adapt them when the script has renumbered
 /// the particles.
 void FixContactStep::follow_renumbering() {
@@ -177,6 +191,7 @@ void FixContactStep::initial_integrate(int) {
   update->ntimestep++;
   if (resuming) {
     for (int i = 0; i < atom->nlocal; i++) {
+      if (inverse_mass[i] == 0.0) continue;  // held now: fixes have set its force
       const double* const then = last.of(i);
       std::copy_n(then, 3, atom->f[i]);
       std::copy_n(then + TORQUE, 3, atom->torque[i]);

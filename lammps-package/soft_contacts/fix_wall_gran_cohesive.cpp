@@ -150,7 +150,7 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
-  if (step->resumes()) return;
+  if (step->resumes()) return repeat_forces();
   step->compute_contacts([this] {
     forces.clear();
     with_contacts([this](auto& shared, auto size) { compute_contacts<size>(shared); });
@@ -273,6 +273,8 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
       if (step->body(i).inverse_mass == 0.0) {
         if (step->is_led(i) && step->carries_along(i, vector(atom->v[i]) - point.velocity))
           phase = WallHistory::NOT_KNOWN;
+        else
+          ContactState::stored(&phase).hold().store(&phase);
         continue;
       }
       if (point.distance > 2.0 * atom->radius[i] + range) {

@@ -72,6 +72,9 @@ class FixWallGranCohesive : public FixWithWallHistory,
   const Contact& contact(std::vector<Contact>&, int i);
   template <class Contact>
   void find_in_range(std::vector<Contact>&, const cohesion::contact_solver::WallState&);
+  void repeat_forces();
+  template <int SIZE, class What>
+  void for_each_with_history(const cohesion::contact_solver::WallState&, const What&);
   void check_flight(int i, const cohesion::contact_solver::WallPoint&);
   cohesion::contact_solver::WallState state() const;
   double wall_travel(const cohesion::contact_solver::WallState&) const;

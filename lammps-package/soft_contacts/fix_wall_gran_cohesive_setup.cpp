@@ -4,6 +4,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_solver/contact_output.h"
 #include "error.h"
 #include "input/restart_format.h"
 #include "input/wall_course_in_restart.h"
@@ -55,16 +56,37 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
   with_contacts([&](auto& shared, auto size) {
     find_in_range(shared, now);
     if (!step->energy_tally.is_active()) return;
-    for (int i = 0; i < atom->nlocal; i++)
-      for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-        double* const values = history.of(i, w);
-        if (values[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
-        const Vector3 separation =
-            walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed).separation;
-        step->energy_tally.store_normal(
-            1.0, contact(shared, i).stored(separation, ContactHistory::stored(values, size)));
-      }
+    for_each_with_history<size>(
+        now, [&](int i, const Vector3& separation, const ContactHistory& known) {
+          step->energy_tally.store_normal(1.0, contact(shared, i).stored(separation, known));
+        });
   });
+}
+
+/// As PairGranCohesive::repeat_forces().
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::repeat_forces() {
+  const WallState now = state();
+  with_contacts([&](auto& shared, auto size) {
+    for_each_with_history<size>(
+        now, [&](int i, const Vector3& separation, const ContactHistory& known) {
+          step->repeat_forces(
+              i, -1, forces_of(contact(shared, i), separation, known, step->forces_length()));
+        });
+  });
+}
+
+/// Calls what(i, separation, history) for each particle with a history of a wall.
+template <class Cohesion>
+template <int SIZE, class What>
+void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, const What& what) {
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
+      double* const values = history.of(i, w);
+      if (values[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
+      what(i, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed).separation,
+           ContactHistory::stored(values, SIZE));
+    }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -98,6 +120,7 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
 
 #define COHESION_INSTANTIATE(style, Law)                        \
   template void FixWallGranCohesive<Law>::continue_run();       \
+  template void FixWallGranCohesive<Law>::repeat_forces();      \
   template void FixWallGranCohesive<Law>::write_restart(FILE*); \
   template void FixWallGranCohesive<Law>::restart(char*);
 COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

@@ -125,7 +125,7 @@ class PairGranCohesive : public Pair,
   void forget_all();
   void forget_springs();
   const double* stored_history(int i, int j) const;
-  void forget_if_led(int i, int j, int& has_history) const;
+  void hold(int i, int j, int& has_history, double* values) const;
   void begin_step();
   void find_close();
   template <int SIZE, class Contact>
@@ -140,7 +140,7 @@ class PairGranCohesive : public Pair,
              const cohesion::Vector3& impulse);
   template <class What>
   void with_contacts(const What&);
-  void tally_energies_at_setup();
+  void repeat_forces();
   template <class What>
   void for_each_with_history(const What&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;

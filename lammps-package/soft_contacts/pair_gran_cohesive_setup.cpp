@@ -96,8 +96,9 @@ void PairGranCohesive<Cohesion>::continue_run() {
   find_in_range();
   if (!friction) forget_springs();
   if (!step->energy_tally.is_active()) return;
-  for_each_with_history([this](int, int j, const StoredEnergies& stored) {
-    step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
+  for_each_with_history([this](int, int j, const auto& law, const Vector3& separation,
+                               const ContactHistory& known) {
+    step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, law.stored(separation, known));
   });
 }
 
@@ -110,28 +111,34 @@ void PairGranCohesive<Cohesion>::forget_springs() {
   });
 }
 
+/// Adds the forces of the last step while a run that continues it is set up: for outputs alone,
+/// since the first step begins with all forces of the last one.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::tally_energies_at_setup() {
-  for_each_with_history([this](int i, int j, const StoredEnergies& stored) {
-    const Vector3 d = particles().relative_state(i, j).separation;
-    ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, 0.0, 0.0, 0.0, -d.x,
-                 -d.y, -d.z);
+void PairGranCohesive<Cohesion>::repeat_forces() {
+  for_each_with_history([this](int i, int j, const auto& law, const Vector3& separation,
+                               const ContactHistory& known) {
+    const auto forces = forces_of(law, separation, known, step->forces_length());
+    step->repeat_forces(i, j, forces);
+    if (!evflag) return;
+    const StoredEnergies stored = law.stored(separation, known);
+    ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, -forces.impulse.x,
+                 -forces.impulse.y, -forces.impulse.z, -separation.x, -separation.y, -separation.z);
   });
 }
 
-/// Calls what(i, j, energies) for each pair with a history.
+/// Calls what(i, j, contact, separation, history) for each pair with a history.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
   std::visit(
       [&](auto& contacts) {
         contacts.clear();
-        for_each_listed([&](int i, int j, int has_history, const double* values) {
+        for_each_listed([&](int i, int j, int has_history, double* values) {
           if (!has_history || !moves(i, j)) return;
-          const auto& c = contacts.all[contact(contacts, particles(), i, j)];
-          what(i, j,
-               c.stored(particles().relative_state(i, j).separation,
-                        ContactHistory::stored(values, per_pair)));
+          ContactState::restore_signs(values);
+          what(i, j, contacts.all[contact(contacts, particles(), i, j)],
+               particles().relative_state(i, j).separation,
+               ContactHistory::stored(values, per_pair));
         });
       },
       any_contacts);
@@ -206,7 +213,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
 
 #define COHESION_INSTANTIATE(style, Law)                                                    \
   template void PairGranCohesive<Law>::forget_all();                                        \
-  template void PairGranCohesive<Law>::tally_energies_at_setup();                           \
+  template void PairGranCohesive<Law>::repeat_forces();                                     \
   template void PairGranCohesive<Law>::continue_run();                                      \
   template void PairGranCohesive<Law>::require_distinct_places() const;                     \
   template double PairGranCohesive<Law>::single(int, int, int, int, double, double, double, \

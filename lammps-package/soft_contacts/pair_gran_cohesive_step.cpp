@@ -32,7 +32,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     return;
   }
   if (step->resumes()) {
-    if (evflag) tally_energies_at_setup();
+    repeat_forces();
     return;
   }
   step->compute_contacts([this] {
@@ -126,7 +126,7 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
       const int c = contact(contacts, now, i, j);
-      if (c == contacts.NONE) return forget_if_led(i, j, *pair.has_history);
+      if (c == contacts.NONE) return hold(i, j, *pair.has_history, pair.history);
       const Contact& law = contacts.all[c];
       FrictionalStep does;
       if (!*pair.has_history || asked ||
@@ -180,12 +180,20 @@ template <int SIZE, class Contact>
   if (evflag) tally(i, j, motion.relative.separation, energy(energies.stored), does.action.impulse);
 }
 
-/// Clears the history of two particles that forces do not move, if a fix moves one relative to the
-/// other.
+/// Leaves two particles that forces do not move in range of each other, unless a fix moves one
+/// relative to the other.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::forget_if_led(int i, int j, int& has_history) const {
-  if (!has_history || !(step->is_led(i) || step->is_led(j))) return;
-  if (step->carries_along(i, particles().relative_state(i, j).velocity)) has_history = 0;
+void PairGranCohesive<Cohesion>::hold(int i, int j, int& has_history, double* values) const {
+  if (!has_history) return;
+  const bool led = step->is_led(i) || step->is_led(j);
+  if (led && step->carries_along(i, particles().relative_state(i, j).velocity)) {
+    has_history = 0;
+    return;
+  }
+  ContactState::restore_signs(values);
+  const ContactState held = ContactState::stored(values).hold();
+  held.store(values);
+  has_history = held.in_range();
 }
 
 /// Adds energy and virial of a pair; the impulse acts on j.

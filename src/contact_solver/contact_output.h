@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact_solver/contact_bodies.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/pair_motion.h"
 
@@ -39,6 +40,19 @@ ContactOutput output_of(const Contact& contact, const Vector3& separation,
   output.friction = (-1.0 / step) * history.sliding.impulse;
   output.rolling_torque = (contact.bodies().rolling_radius() / step) * history.rolling.impulse;
   return output;
+}
+
+/// The forces of a contact at a time level, from the same: on j, and the torques on i and j,
+/// [force] and [force length].
+template <class Contact>
+PairImpulse forces_of(const Contact& contact, const Vector3& separation,
+                      const ContactHistory& history, double step) {
+  PairImpulse forces;
+  const ContactBodies::Touch touch(contact.bodies(), separation);
+  touch.add_sliding_impulse((1.0 / step) * history.sliding.impulse, forces);
+  touch.add_rolling_impulse((1.0 / step) * history.rolling.impulse, forces);
+  forces.impulse += (history.normal.force / norm(separation)) * separation;
+  return forces;
 }
 
 }  // namespace cohesion::contact_solver

@@ -147,8 +147,9 @@ class ContactSolver : public PairCourse {
     const bool first = velocity_step < step();
     bool in_range = before.in_range();
     // Before the first step of a run nothing has moved.
-    const bool stands = (first ? before.is_outside() : before.phase == ContactState::unknown) &&
-                        at.stands_within(entry_distance(), first ? 0.0 : step());
+    const bool stands = before.phase == ContactState::held ||
+                        ((first ? before.is_outside() : before.phase == ContactState::unknown) &&
+                         at.stands_within(entry_distance(), first ? 0.0 : step()));
     if (stands) in_range = true;
     Flight now{at.distance, first ? at.rate : true_rate(at, external, before), at.sideways};
     const Flight start = now;
@@ -212,11 +213,13 @@ class ContactSolver : public PairCourse {
   }
 
  private:
-  /// Whether a pair without a stored state touches, and did so before the last step. Where it is
+  /// Whether a pair without a stored motion touches, and did so before the last step. Where it is
   /// released under a load, the load of that step is not known: a step that is resolved without it
   /// would give the contact half of its force.
   bool stands_in_contact(const StaggeredMotion& now, const ContactState& state) const {
-    return state.phase == ContactState::unknown && now.stands_within(contact_distance(), step());
+    // A neck lasts beyond touch; without a stored state there is none.
+    const double end = state.phase == ContactState::held ? lowest_overlap() : 0.0;
+    return state.is_new() && now.stands_within(contact_distance() - end, step());
   }
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
                         ContactStep& result) const {
@@ -236,10 +239,9 @@ class ContactSolver : public PairCourse {
           [&](const auto& c) { return c.begin_persistent(here, load, now, state, first); },
           contact());
       if (!begins) return false;
-      first.account += state.phase == ContactState::unknown
-                           ? EnergyAccount::at_start(stored(now, true))
-                           : account_up_to(now, external, state) - state.account -
-                                 account_.exchanged(state.force, external, state);
+      first.account += state.is_new() ? EnergyAccount::at_start(stored(now, true))
+                                      : account_up_to(now, external, state) - state.account -
+                                            account_.exchanged(state.force, external, state);
       result.force = first.force;
       result.repulsion = first.repulsion;
       go_on(here.rate, external, first, state);

@@ -17,7 +17,8 @@ struct ContactState {
     touching,    ///< in contact throughout the last step, which was resolved
     settling,    ///< out of range, the energy account is not closed
     unknown,     ///< no state was stored: the contact is seen for the first time where it stands
-    taut         ///< persistent, with the stiffer spring of a contact under tension
+    taut,        ///< persistent, with the stiffer spring of a contact under tension
+    held         ///< in range of a partner, and nothing could move either of them in the last step
   };
   Phase phase = outside;
   /// True rate of the distance at the time level less the staggered one and half a step of the
@@ -69,11 +70,15 @@ struct ContactState {
   bool in_range() const { return !is_outside() && phase != left && phase != settling; }
   /// Whether the pair is out of range, or has no stored state, with nothing pending.
   bool is_outside() const { return phase == outside || phase == unknown; }
+  /// Whether what moves the contact is to be seen from its position alone, where it is in range.
+  bool is_new() const { return phase == unknown || phase == held; }
+  /// After a step in which nothing could move either of the two.
+  ContactState hold() const { return {in_range() ? held : outside}; }
   /// Whether the pair was in contact throughout the last step.
   bool in_contact() const { return is_persistent() || phase == touching; }
   bool is_persistent() const { return phase == persistent || phase == taut; }
   /// Whether position and staggered velocity are the whole state.
-  bool has_nothing_pending() const { return is_outside() || phase == inside; }
+  bool has_nothing_pending() const { return is_outside() || phase == inside || phase == held; }
 };
 
 /// Result of a step of a persistent contact.

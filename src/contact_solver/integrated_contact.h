@@ -112,12 +112,16 @@ class IntegratedContact {
                         const ContactState& state, PersistentStep& step) const {
     const double centrifugal = at.sideways * at.sideways / at.distance;
     const double external = load - centrifugal;
-    const double rate = -(at.rate + state.velocity_offset + 0.5 * step_ * external);
+    // A contact that is first seen at rest is there because of a load.
+    const bool stands = state.is_new();
+    const double rate =
+        stands ? -at.rate : -(at.rate + state.velocity_offset + 0.5 * step_ * external);
     const contact::LawPoint p = point(now.overlap);
     const double own = (adhesion_ - p.force - p.damping * rate) * inverse_mass_;
-    if (!lasts(now.overlap, rate, own - load, load)) return false;
-    const double first = -state.velocity_offset / step_ + 0.5 * own -
-                         0.125 * step_ * p.stiffness * inverse_mass_ * rate;
+    const double borne = stands ? std::max(load, own) : load;
+    if (!lasts(now.overlap, rate, own - borne, borne)) return false;
+    const double other = stands ? 0.5 * own : -state.velocity_offset / step_;
+    const double first = other + 0.5 * own - 0.125 * step_ * p.stiffness * inverse_mass_ * rate;
     step.force = -reduced_mass_ * first;
     step.repulsion = friction_load_ - reduced_mass_ * own;
     step.account = 0.5 * step_ * step.force * at.rate;

@@ -119,7 +119,7 @@ class LinearContact {
   bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
                         const ContactState& state, PersistentStep& step) const {
     // A contact that is first seen at rest under tension is there because of a load.
-    const bool stands = state.phase == ContactState::unknown;
+    const bool stands = state.is_new();
     const bool taut = is_taut(now.overlap, stands ? pull_ : load);
     const double borne = stands ? std::max(load, -force(now, taut) * inverse_mass_) : load;
     if (!force_of(now, taut, borne, step)) return false;

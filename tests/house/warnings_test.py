@@ -12,7 +12,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 OF_THE_SET_UP = (
     "gran/stress leaves pair_style", "friction acts on", "their contacts have the dashpot", "stands before", "without being stationary",
     "takes the mean flow for heat", "now are", "the last run ended early", "has no energy tally", "the box was changed", "is not scaled", "contact_distance_factor",
-    "numbers without keywords", "no fix integrates the motion")
+    "numbers without keywords", "no fix integrates the motion", "the contact springs of")
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 
 

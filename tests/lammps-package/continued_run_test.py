@@ -2,6 +2,7 @@
 """Runs of the exact scheme that go on from the forces of another: the motion, and the energy tally of compute
 gran/energy that is first looked at on their first line."""
 import math
+import re
 import sys
 import unittest
 
@@ -184,6 +185,45 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                 print(f"packing {friction}: t_c/{part}: {apart[-1]:.1e} of the springs", file=sys.stderr)
             # Between the 4 of first order and the 16 of second.
             self.assertLess(apart[1], apart[0] / 8)
+
+    def test_outputs_at_set_up_are_those_of_the_last_step(self):
+        """Forces, torques, pressure and energy of a packing between walls. Of a collision that is resolved within a step,
+        the last friction force is not stored."""
+        grains = "".join(f"create_atoms 1 single {x:.17g} {y:.17g} {z:.17g} units box\n" for x, y, z in numpy.array(
+            numpy.meshgrid(*3 * [R + 0.998 * DIAMETER * numpy.arange(3)])).reshape(3, -1).T)
+        dump = "write_dump all custom {} id fx fy fz tqx tqy tqz modify sort id format float %.17g\n"
+        for scheme in ("exact", "sampled"):
+            words = f"{CONTACT} {HAMAKER} {FRICTION if scheme == 'sampled' else ''}"
+            with self.subTest(scheme):
+                output = self.goes(f"""
+plugin load ${{plugin}}
+units si
+atom_style sphere
+newton off
+comm_modify vel yes
+boundary f f f
+region box block 0 0.003 0 0.003 0 0.004 units box
+create_box 1 box
+{grains}set group all diameter {DIAMETER} density 2650
+neighbor 1e-4 bin
+pair_style gran/hamaker scheme {scheme}
+pair_coeff * * {words}
+fix walls all wall/gran/hamaker {words} xplane 0 NULL yplane 0 NULL zplane 0 NULL scheme {scheme}
+fix weight all gravity 9.81 vector 0 0.1 -1
+fix move all nve/sphere
+timestep {CONTACT_TIME / 20!r}
+thermo_style custom step press pe
+thermo_modify format float %.12g
+run 50
+{dump.format("last.txt")}run 0
+{dump.format("first.txt")}""")
+                last, first = (engine.dump(self.folder, name)[:, 1:] for name in ("last.txt", "first.txt"))
+                for part in (slice(0, 3), slice(3, 6)):
+                    most = abs(last[:, part]).max()
+                    self.assertTrue(most > 0.0 or scheme == "exact")
+                    numpy.testing.assert_allclose(first[:, part], last[:, part], rtol=0, atol=1e-12 * most)
+                *_, before, after = re.findall(r"^ *50 +(\S+) +(\S+) *$", output, re.MULTILINE)
+                numpy.testing.assert_allclose([float(word) for word in after], [float(word) for word in before], rtol=1e-9)
 
     def test_range_that_a_script_changes(self):
         """Between two runs a law begins, becomes wider, or the box smaller: a pair that is in range then is held, and

@@ -104,6 +104,29 @@ class Held(ScriptTestCase):
         end = self.ends(script("gran/hamaker", HOLD + wall + MOVE + "fix down flies setforce NULL NULL 0\n", e=0.5))
         self.assertEqual(list(end[0][3:6]), [0.0, 0.0, 0.0])
 
+    def test_bridges_of_the_held_stay(self):
+        # The spheres touched and are in their gap, at rest, when both are held and released again.
+        holds = {"freeze": ("fix hold all freeze", "unfix hold"), "setforce": ("fix hold all setforce 0 0 0", "unfix hold"),
+                 "no integration": ("unfix move", MOVE)}
+        for how, (hold, release) in holds.items():
+            with self.subTest(how):
+                self.goes(box() + spheres((1, 0.003, 0.005, 0.005), (1, 0.0039998, 0.005, 0.005)) + f"""
+pair_style gran/liquidbridge
+pair_coeff * * stiffness 800 restitution 0.8 bridge 1e-4 5e-5
+{MOVE}timestep 2e-6
+group second id 2
+velocity second set 0.05 0 0
+run 250
+velocity all set 0 0 0
+{hold}
+run 100
+{release}
+run 3000
+write_dump all custom end.txt id x modify sort id format float %.17g
+""")
+                (first,), (second,) = engine.dump(self.folder, "end.txt")[:, 1:]
+                self.assertLess(second - first, 1e-3)
+
     def test_spins_are_held_and_a_warning_says_so(self):
         for style in STYLES:
             if "hard" in style:

@@ -79,6 +79,20 @@ class Bridges(unittest.TestCase):
                 (a, b) = (numpy.array(row[:3]) for row in list(done.frames("out.txt")[-1].values())[:2])
                 self.assertLess(numpy.linalg.norm(a - b) - 2 * RADIUS, 5e-5)
 
+    def test_a_bridge_of_two_that_are_held_stays(self):
+        # They touched and are in their gap, at rest, when both are held and released again. The third is not held.
+        spheres = [sphere((-RADIUS + 1e-7, 0, 0)), sphere((RADIUS - 1e-7, 0, 0), (0.05, 0, 0)), sphere(FAR)]
+        for steps in (0, 100):
+            with self.subTest(steps):
+                done = Run(script(spheres, "model hooke/stiffness tangential off cohesion liquid_bridge scheme exact "
+                                  "absolute_damping on", liquid_bridge(1e-4, 5e-5), dt=2e-6, every=50,
+                                  extra="group pair id 1 2\n", run="run 250\nset group pair vx 0 vy 0 vz 0\n"
+                                  f"fix hold pair freeze\nrun {steps}\nunfix hold\nrun 3000\n"))
+                pairs = [numpy.array([row[:3] for row in frame.values()])[:2] for frame in done.frames("out.txt")]
+                gaps = [numpy.linalg.norm(a - b) - 2 * RADIUS for a, b in pairs]
+                self.assertGreater(gaps[5], 5e-6)
+                self.assertLess(min(gaps[-50:]), 0.0)
+
     def test_bridges_stay_where_they_are_when_particles_are_deleted(self):
         # One pair is wet and one dry, with gaps within the reach of a bridge. delete_atoms renumbers unless told not to.
         wet, dry = (-RADIUS - 1.5e-6, 0, 0), (-RADIUS - 1.5e-6, 5e-3, 0)

@@ -64,6 +64,7 @@ TEST(ContactNumbers, SteadyStepOfElasticSpringsIsThatOfTheClosedForm) {
   for (const bool plane : {false, true})
     for (const double ratio : {0.0, 2.0 / 7.0, 1.0}) {
       PairParameters p = thesis_pair();
+      p.adhesion = {};
       p.damping = 0.0;
       p.tangential_stiffness = ratio * p.stiffness;
       const double normal = std::asin(std::sqrt(plane ? 1.0 / 3.0 : 0.25));
@@ -79,23 +80,29 @@ TEST(ContactNumbers, SteadyStepOfElasticSpringsIsThatOfTheClosedForm) {
 }
 
 TEST(ContactNumbers, SteadyStepOfDampedSpringsIsWhereASphereBetweenTwelveOthersSwingsUp) {
-  // One sphere that swings against all neighbours: discrete springs of 4 times the pair's.
-  for (const double e : {0.9, 0.5, 0.3}) {
-    PairParameters p = thesis_pair();
-    const double mu = 0.5 * p.mass_i;
-    p.damping = contact::LinearSpringDashpot::from_restitution(p.stiffness, e, mu).damping();
-    const double limit = ContactNumbers(p).steady_step(contact_solver::ClosestPacking::in_space());
-    for (const double off : {-1e-3, 1e-3}) {
-      const double dt = limit * (1.0 + off);
-      const auto spring = contact_solver::discrete_constants(p.stiffness, p.damping, mu, dt);
-      double x = 1.0, step = 0.0;  // step: v dt
-      for (int n = 0; n < 100000 && std::abs(x) < 1e6; n++) {
-        step -= 4.0 * dt / mu * (spring.stiffness * dt * x + spring.damping * step);
-        x += step;
+  // One sphere that swings against all neighbours: discrete springs of 4 times the pair's. With
+  // adhesion all contacts may be taut, with a spring that ends at F_ad in 0.3 of the overlap at
+  // rest: K_t 0.3 F_ad/K - F_ad = K' 0.3 F_ad/K - (K'/K) F_ad.
+  for (const double e : {0.9, 0.5, 0.3})
+    for (const bool taut : {false, true}) {
+      PairParameters p = thesis_pair();
+      if (!taut) p.adhesion = {};
+      const double mu = 0.5 * p.mass_i;
+      p.damping = contact::LinearSpringDashpot::from_restitution(p.stiffness, e, mu).damping();
+      const double limit =
+          ContactNumbers(p).steady_step(contact_solver::ClosestPacking::in_space());
+      for (const double off : {-1e-3, 1e-3}) {
+        const double dt = limit * (1.0 + off);
+        auto spring = contact_solver::discrete_constants(p.stiffness, p.damping, mu, dt);
+        if (taut) spring.stiffness += (p.stiffness - spring.stiffness) / 0.3;
+        double x = 1.0, step = 0.0;  // step: v dt
+        for (int n = 0; n < 100000 && std::abs(x) < 1e6; n++) {
+          step -= 4.0 * dt / mu * (spring.stiffness * dt * x + spring.damping * step);
+          x += step;
+        }
+        EXPECT_EQ(std::abs(x) < 1e6, off < 0.0) << e << " " << taut;
       }
-      EXPECT_EQ(std::abs(x) < 1e6, off < 0.0) << e;
     }
-  }
 }
 
 TEST(ContactNumbers, WallIsAPartnerOfInfiniteMass) {
