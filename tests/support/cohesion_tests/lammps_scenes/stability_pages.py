@@ -15,7 +15,7 @@ COLUMNS = {"right": "correct", "warned": "incorrect, warned", "elsewhere": "inco
            "silent": "incorrect, no warning", "marginal": "marginal", "not judged": "not judged"}
 INCORRECT = ("warned", "elsewhere", "silent")
 # Rows of the table of random points by their time step.
-FIGURES = ("correct/judged cases", "incorrect, unwarned", "stopped/all points")
+FIGURES = ("correct/judged", "unwarned", "stopped/all")
 PROGRAM = "benchmarks/lammps-package/stability-campaign.py"
 HEAD = f"""# Stability at the ends of all parameters
 
@@ -29,33 +29,30 @@ TERMS = """
 
 A corner point sets one or a few parameters of a base point to an extreme value. A random point draws all parameters.
 Each point has two cases: two spheres collide, and a sphere strikes two spheres in contact; at walls a sphere hits a
-wall, and a sphere flies into the edge between two walls. The larger sphere has a diameter of 1 mm and a density of
-2650 kg/m^3.
+wall, and a sphere flies into an edge. The larger sphere has a diameter of 1 mm and a density of 2650 kg/m^3.
 
-Soft contacts are compared with *exact* at a sixteenth of the step. Hard spheres, with *rest off*, are compared with an
-event-driven program without a time step. The error is that of the final velocities over s, the largest speed of the
-point. For particles in contact it is that of the positions over s/w, where w is the contact frequency.
+The reference of soft contacts is *exact* at a sixteenth of the step, that of hard spheres (*rest off*) a program
+without a time step. The error is that of the final velocities over s, the largest speed of the point. For particles in
+contact it is that of the positions over s/w, with the contact frequency w.
 
 | outcome | meaning |
 |---|---|
-| correct | the error is below the tolerance |
-| incorrect | the error is above the tolerance, or other particles are in contact (other outcome) |
-| warned | the run warned of the step, the cut-off, the well, rounding or a collapse, not of overlaps |
-| warned for other contacts | these warnings concern only contacts that do not occur |
+| incorrect | the error is above the tolerance, or other particles are in contact |
+| warned | the run warned of the step, the cut-off, the well, rounding or a collapse |
+| warned for other contacts | warnings concern only contacts that do not occur |
 | marginal | incorrect, but an error of the tolerance in the initial state does as much |
-| not judged | rounding decides, references disagree, hard spheres collapse, or the time levels are too coarse |
+| not judged | rounding decides, references disagree, or the time levels are too coarse |
 | stops | the style stops with an error |
 
-The tolerance is 0.1 for *sampled*, and 1e-9, or 100 times the effect of rounding, for hard spheres. For *exact* it is
-1e-6 for one contact without friction, and otherwise (w dt)^2, at most 0.1. It includes the
-[errors](../theory/exact_contacts.md) of rotation and of friction with several contacts, and for particles in contact
-the offset of positions at a time level.
+The tolerance is 0.1 for *sampled* and 1e-9, or 100 times the effect of rounding, for hard spheres. For *exact* it is
+1e-6 for one contact without friction, and otherwise (w dt)^2, at most 0.1, plus the
+[errors](../theory/exact_contacts.md) of rotation and of friction with several contacts.
 """.splitlines()
 STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""
 ## {STEPS_TITLE}
 
-Judged cases are the correct and the incorrect ones. Unwarned ones have no warning, or only one for other contacts.
+Rows are correct over judged cases, incorrect cases without a warning for their contact, and stopped over all points.
 """
 CORNER_HEAD = f"""# Stability of {{what}}: corner points
 
@@ -137,12 +134,14 @@ def cell(result, case):
 def summary(rows):
     """Cases of each law by their outcome."""
     energies = {law: [r.exact for _, _, r in results if r.exact is not None] for law, results in rows.items()}
-    heads = ["law", "points", *COLUMNS.values(), "points: stops", "points: crashes or hangs"]
+    points = {law: Counter(kind(r.verdicts["first"], r.said) for _, _, r in results) for law, results in rows.items()}
+    crashes = any(found["crashed"] for found in points.values())
+    heads = ["law", "points", *COLUMNS.values(), "points: stops"] + ["points: crashes or hangs"] * crashes
     lines = []
     for law, results in rows.items():
         cases, exact = kinds_of(results), energies[law]
-        points = Counter(kind(r.verdicts["first"], r.said) for _, _, r in results)
-        lines.append([law, len(results), *(cases[name] for name in COLUMNS), points["refused"], points["crashed"]]
+        lines.append([law, len(results), *(cases[name] for name in COLUMNS), points[law]["refused"]]
+                     + [points[law]["crashed"]] * crashes
                      + ([f"{max(exact):.1e} of {len(exact)}" if exact else ""] if any(energies.values()) else []))
     if any(energies.values()):
         heads.append("largest error of the energy, head-on")
