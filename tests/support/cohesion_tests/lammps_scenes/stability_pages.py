@@ -42,7 +42,6 @@ contact it is that of the positions over s/w, with the contact frequency w.
 | warned for other contacts | warnings concern only contacts that do not occur |
 | marginal | incorrect, but an error of the tolerance in the initial state does as much |
 | not judged | rounding decides, references disagree, or the time levels are too coarse |
-| stops | the style stops with an error |
 
 The tolerance is 0.1 for *sampled* and 1e-9, or 100 times the effect of rounding, for hard spheres. For *exact* it is
 1e-6 for one contact without friction, and otherwise (w dt)^2, at most 0.1, plus the
@@ -144,7 +143,7 @@ def summary(rows):
                      + [points[law]["crashed"]] * crashes
                      + ([f"{max(exact):.1e} of {len(exact)}" if exact else ""] if any(energies.values()) else []))
     if any(energies.values()):
-        heads.append("largest error of the energy, head-on")
+        heads.append("energy error, head-on")
     coarse = sum(v == COARSE for results in rows.values() for _, _, r in results for v in r.verdicts.values())
     note = ["", f"Of the cases not judged, the time levels are too coarse in {coarse}."] if coarse else []
     return table(heads, *lines) + note
@@ -163,7 +162,8 @@ def by_steps(rows):
         figures = ([f"{found['right']}/{number}" for found, number in zip(cases, judged)],
                    [found["elsewhere"] + found["silent"] for found in cases],
                    [f"{sum(stops(r) for _, _, r in part)}/{len(part)}" for part in parts])
-        lines += [[law, name, *values] for name, values in zip(FIGURES, figures)]
+        # The law stands in the first of its rows.
+        lines += [["" if n else law, name, *values] for n, (name, values) in enumerate(zip(FIGURES, figures))]
     return [*BY_STEPS.splitlines(), "", *table(["law", "t_c/dt", *(f"{low} to {high}" for low, high in spans)], *lines)
             ] if lines else []
 
@@ -176,7 +176,7 @@ def missing(rows):
 def main_page(rows, links):
     """`links`: name of a page of corner points -> its address."""
     lines = [*HEAD, *TERMS, "", "## Results", "",
-             "Cases by their outcome; the columns that begin with *points* count points:", "", *summary(rows),
+             "Cases by outcome; columns that begin with *points* count points:", "", *summary(rows),
              *missing(rows)]
     if links:
         lines += ["", "Corner points: " + ", ".join(f"[{what}]({where})" for what, where in links.items()) + "."]
