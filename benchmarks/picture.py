@@ -124,9 +124,10 @@ def of_page(name, file):
         return read_csv(file)
     found = sections(file.read_text())
     if name == "steps":
-        tables = {}
+        tables, law = {}, None
         for row in read(found[stability_pages.STEPS_TITLE]):
-            tables.setdefault(row["law"], []).append(row)
+            law = row["law"] or law  # which stands in the first of its rows
+            tables.setdefault(law, []).append(row)
         return tables
     return read(found[{"dense": dense, "growth": growth}[name].TITLE])
 

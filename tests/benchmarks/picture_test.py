@@ -43,9 +43,9 @@ Words.
 
 | law | t_c/dt | 2 to 3 | 3 to 4 |
 |---|---|---|---|
-| law | correct/judged cases | 3/6 | 0/0 |
-| law | incorrect, unwarned | 2 | 0 |
-| law | stopped/all points | 1/4 | 4/4 |
+| law | correct/judged | 3/6 | 0/0 |
+| | unwarned | 2 | 0 |
+| | stopped/all | 1/4 | 4/4 |
 """
 
 

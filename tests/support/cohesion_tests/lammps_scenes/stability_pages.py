@@ -12,69 +12,43 @@ COLUMNS = {"right": "correct", "warned": "incorrect, warned", "elsewhere": "inco
            "silent": "incorrect, no warning", "marginal": "marginal", "not judged": "not judged"}
 INCORRECT = ("warned", "elsewhere", "silent")
 # Rows of the table of random points by their time step.
-FIGURES = ("correct/judged cases", "incorrect, unwarned", "stopped/all points")
+FIGURES = ("correct/judged", "unwarned", "stopped/all")
 PROGRAM = "benchmarks/lammps-package/stability-campaign.py"
 HEAD = f"""# Stability at the ends of all parameters
 
-This page shows how far the [time-step check](time_step_check.md) can be relied on. A campaign runs the contact laws of
-this package at the ends of their parameters and at random points between. It compares each result with a reference, and
-counts the incorrect results of runs without a warning.
-
-`{PROGRAM}` writes this page. The points are the same in every run.
-The campaign covers neither liquid bridges, nor JKR, nor *sampled* walls of gran/hamaker. Hard spheres run with *rest
-off*, so that the reference is the law of restitution alone.
+This page shows how far the [time-step check](time_step_check.md) can be relied on. A campaign runs the contact laws at
+the ends of their parameters and at random points between, and compares each result with a reference. It covers neither
+liquid bridges, nor JKR, nor *sampled* walls of gran/hamaker.
+`{PROGRAM}` writes this page.
 """.splitlines()
 TERMS = """
-## Points and cases
+## Points and outcomes
 
 A corner point sets one or a few parameters of a base point to an extreme value. A random point draws all parameters.
-Each point has two cases:
+Each point has two cases: two spheres collide, and a sphere strikes two spheres in contact; at walls a sphere hits a
+wall, and a sphere flies into an edge. The larger sphere has a diameter of 1 mm and a density of 2650 kg/m^3.
 
-| case | pairs | walls |
-|---|---|---|
-| first | two spheres collide | a sphere hits a wall |
-| second | a sphere strikes two spheres in contact | a sphere flies into the edge between two walls |
-
-The larger sphere has a diameter of 1 mm and a density of 2650 kg/m^3. The depth of a well is the speed that the well
-adds, over the impact speed. Its width is relative to the flight within the well in one contact time t_c; for hard
-spheres it is relative to the sum of the radii.
-
-## Errors and outcomes
-
-Soft contacts are compared with *exact* at a sixteenth of the step. Hard spheres are compared with an
-event-driven program without a time step. The error is that of the final velocities over s, the largest speed of the
-point. For particles in contact it is that of the positions over s/w, where w is the contact frequency.
+The reference of soft contacts is *exact* at a sixteenth of the step, that of hard spheres (*rest off*) a program
+without a time step. The error is that of the final velocities over s, the largest speed of the point. For particles in
+contact it is that of the positions over s/w, with the contact frequency w.
 
 | outcome | meaning |
 |---|---|
-| correct | the error is below the tolerance |
-| incorrect | the error is above the tolerance, or other particles are in contact (other outcome) |
-| warned | the run warned of the step, the cut-off, the well, rounding or a collapse; overlap warnings do not count |
-| warned for other contacts | these warnings concern only contacts that do not occur, as between two small spheres |
-| marginal | incorrect, but the tolerance in the initial speeds, in *exact* in the energy at parting, does as much |
-| not judged | rounding decides, references disagree, hard spheres collapse, or the time levels are too coarse |
-| stops | the style stops with an error |
+| incorrect | the error is above the tolerance, or other particles are in contact |
+| warned | the run warned of the step, the cut-off, the well, rounding or a collapse |
+| warned for other contacts | warnings concern only contacts that do not occur |
+| marginal | incorrect, but an error of the tolerance in the initial state does as much |
+| not judged | rounding decides, references disagree, or the time levels are too coarse |
 
-Where a particle may have several contacts, a step beyond the [stability limit](../theory/contact_steps.md) stops the
-run.
-
-| contacts | tolerance |
-|---|---|
-| *sampled* | 0.1 |
-| *exact*, one contact without friction | 1e-6; for spheres plus the errors of rotation |
-| *exact*, one contact with friction, or several contacts | (w dt)^2, at most 0.1 |
-| *exact*, several contacts with friction | (w dt)^2 + 2 min(friction, 1) zeta w dt, at most 0.1 |
-| hard | 1e-9, or 100 times the effect of rounding the initial state |
-
-Here zeta is the damping ratio. [Exact contacts](../theory/exact_contacts.md) derives the errors of rotation and of
-several contacts. For particles in contact the tolerance of *exact* includes the offset of positions at a time level.
+The tolerance is 0.1 for *sampled* and 1e-9, or 100 times the effect of rounding, for hard spheres. For *exact* it is
+1e-6 for one contact without friction, and otherwise (w dt)^2, at most 0.1, plus the
+[errors](../theory/exact_contacts.md) of rotation and of friction with several contacts.
 """.splitlines()
 STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""
 ## {STEPS_TITLE}
 
-Judged cases are the correct and the incorrect ones. Unwarned are those without a warning for their contact: they have
-none, or only warnings for other contacts.
+Rows are correct over judged cases, incorrect cases without a warning for their contact, and stopped over all points.
 """
 
 
@@ -104,15 +78,17 @@ def correct(result):
 def summary(rows):
     """Cases of each law by their outcome."""
     energies = {law: [r.exact for _, _, r in results if r.exact is not None] for law, results in rows.items()}
-    heads = ["law", "points", *COLUMNS.values(), "points: stops", "points: crashes or hangs"]
+    points = {law: Counter(kind(r.verdicts["first"], r.said) for _, _, r in results) for law, results in rows.items()}
+    crashes = any(found["crashed"] for found in points.values())
+    heads = ["law", "points", *COLUMNS.values(), "points: stops"] + ["points: crashes or hangs"] * crashes
     lines = []
     for law, results in rows.items():
         cases, exact = kinds_of(results), energies[law]
-        points = Counter(kind(r.verdicts["first"], r.said) for _, _, r in results)
-        lines.append([law, len(results), *(cases[name] for name in COLUMNS), points["refused"], points["crashed"]]
+        lines.append([law, len(results), *(cases[name] for name in COLUMNS), points[law]["refused"]]
+                     + [points[law]["crashed"]] * crashes
                      + ([f"{max(exact):.1e} of {len(exact)}" if exact else ""] if any(energies.values()) else []))
     if any(energies.values()):
-        heads.append("largest error of the energy, head-on")
+        heads.append("energy error, head-on")
     coarse = sum(v == COARSE for results in rows.values() for _, _, r in results for v in r.verdicts.values())
     note = ["", f"Of the cases not judged, the time levels are too coarse in {coarse}."] if coarse else []
     return table(heads, *lines) + note
@@ -131,7 +107,8 @@ def by_steps(rows):
         figures = ([f"{found['right']}/{number}" for found, number in zip(cases, judged)],
                    [found["elsewhere"] + found["silent"] for found in cases],
                    [f"{sum(stops(r) for _, _, r in part)}/{len(part)}" for part in parts])
-        lines += [[law, name, *values] for name, values in zip(FIGURES, figures)]
+        # The law stands in the first of its rows.
+        lines += [["" if n else law, name, *values] for n, (name, values) in enumerate(zip(FIGURES, figures))]
     return [*BY_STEPS.splitlines(), "", *table(["law", "t_c/dt", *(f"{low} to {high}" for low, high in spans)], *lines)
             ] if lines else []
 
@@ -144,7 +121,7 @@ def missing(rows):
 def main_page(rows, links):
     """`links`: name of a page of corner points -> its address."""
     lines = [*HEAD, *TERMS, "", "## Results", "",
-             "Cases by their outcome; the columns that begin with *points* count points:", "", *summary(rows),
+             "Cases by outcome; columns that begin with *points* count points:", "", *summary(rows),
              *missing(rows)]
     if links:
         lines += ["", "Corner points: " + ", ".join(f"[{what}]({where})" for what, where in links.items()) + "."]
