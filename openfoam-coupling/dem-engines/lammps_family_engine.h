@@ -39,6 +39,7 @@ struct ScriptWords {
   const char* engine;     ///< its name, for messages
   const char* continued;  ///< value of the variable `continued`: there is a state to continue from
   const char* not_continued;
+  const char* early_end;  ///< what may have ended a run early, and the cure
   /// Writes a restart file between runs, of the particles where they are and on the ranks that have
   /// them, and of contacts as they are.
   void (*write_state)(LAMMPS_NS::LAMMPS*, const std::string& file);
@@ -99,7 +100,7 @@ class LammpsFamilyEngine : public DemEngine {
   void advance(int steps, const std::string& restart) override {
     work([&] {
       std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
-      command("run " + std::to_string(steps) + " pre no post no");
+      run(steps);
       if (restart.empty()) return;
       // The command `restart` would write what contacts remember of the step before.
       // `write_restart` hands particles on to other ranks, which must have been done before,
@@ -270,6 +271,18 @@ class LammpsFamilyEngine : public DemEngine {
                            " gas/coupling before " + fixes + ". The drag of a step follows from " +
                            "all other forces of that step, and does not see those: put fix " +
                            "gas/coupling behind");
+  }
+
+  /// Some commands end a run early and report no error.
+  void run(int steps) {
+    const long before = steps_done();
+    command("run " + std::to_string(steps) + " pre no post no");
+    const long done = steps_done() - before;
+    if (done == steps) return;
+    throw DemEngineError("the particle engine did " + std::to_string(done) + " of the " +
+                         std::to_string(steps) + " steps of this gas step and stands at its step " +
+                         std::to_string(steps_done()) + ". " + words_.early_end + " Its log is '" +
+                         log_ + "'");
   }
 
   /// Throws DemEngineError where there is none, or several.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run that ends itself in its middle, by an error of the particle engine or of the gas's side, leaves its last complete
-state, and is continued from there; on 1 and 2 ranks, with either engine. Keeping that state changes nothing of a run, and
+"""A run that ends itself in its middle, by an error of the particle engine or of the gas's side or because the engine does
+fewer steps than a gas step has, leaves its last complete state, and is continued from there; on 1 and 2 ranks, with
+either engine. Keeping that state changes nothing of a run, and
 leaves nothing after one that comes to its end."""
 
 import re
@@ -9,6 +10,7 @@ import unittest
 from cohesion_tests.coupling.cases import CONTROL, ENGINE, append, edit, script_file
 from cohesion_tests.coupling.swarm import complete
 from cohesion_tests.coupling.test_case import CoupledTestCase, times
+from cohesion_tests.refusals import assert_says
 
 SCRIPT = script_file("particles")
 CREATE = {"lammps": ('"${continued} == no"', "create_atoms 1 single 0.031 0.029 0.19", "region       box block 0 0.06 0 0.06"
@@ -59,6 +61,31 @@ class LastState(CoupledTestCase):
     def test_engine_error(self):
         for ranks in (1, 2):
             self.engine_error(ranks)
+
+    def halted(self, ranks, kind):
+        """The engine ends a run in the third gas step, after 6 of its 10 steps, and reports no error."""
+        name = f"{kind} halt, {ranks} ranks"
+        case = make(self.column, f"halt-{kind}-{ranks}", 0)
+        edit(case, SCRIPT, "fix gas ", f"variable done equal step\nfix halt all halt 1 v_done > 25 error {kind}\nfix gas ")
+        log = self.ends(name, case, ranks)
+        assert_says(self, log, "the particle engine did 6 of the 10 steps of this gas step and stands at its step 26",
+                    "'fix halt' with 'error soft'", "'timer timeout'", "log.lammps")
+        self.expect_equal(f"{name}: gas steps", log.count("\nTime = "), 3)
+
+    @unittest.skipUnless(ENGINE == "lammps", "commands of LAMMPS")
+    def test_engine_halts(self):
+        for ranks in (1, 2):
+            self.halted(ranks, "soft")
+        self.halted(1, "continue")
+
+    @unittest.skipUnless(ENGINE == "lammps", "commands of LAMMPS")
+    def test_engine_never_advances(self):
+        """No step is done once a time limit or a halt in the script has ended its runs."""
+        for number, lines in enumerate(("timer timeout 0:00:00 every 1",
+                                        "variable done equal step\nfix halt all halt 1 v_done >= 5 error soft\nrun 10")):
+            case = make(self.column, f"limit-{number}", 0)
+            edit(case, SCRIPT, "fix gas ", f"{lines}\nfix gas ")
+            self.refused(lines, case, "the particle engine did 0 of the 10 steps", begun=True)
 
     @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
     def test_error_of_the_gas(self):
