@@ -19,6 +19,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "fix.h"
+#include "group.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -66,6 +67,7 @@ class LammpsFamilyEngine : public DemEngine {
       run_script(settings.script);
       require_step(settings.script);
       require_coupled(settings.script);
+      require_all_in_group();
       command("run 0 post no");
     });
   }
@@ -101,6 +103,7 @@ class LammpsFamilyEngine : public DemEngine {
     work([&] {
       std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
       run(steps);
+      require_all_in_group();
       if (restart.empty()) return;
       // The command `restart` would write what contacts remember of the step before.
       // `write_restart` hands particles on to other ranks, which must have been done before,
@@ -271,6 +274,23 @@ class LammpsFamilyEngine : public DemEngine {
                            " gas/coupling before " + fixes + ". The drag of a step follows from " +
                            "all other forces of that step, and does not see those: put fix " +
                            "gas/coupling behind");
+  }
+
+  /// The gas is charged with the drag of all particles, so that all must feel it. Particles that
+  /// fixes insert during a run may be outside the group.
+  void require_all_in_group() const {
+    const auto* atom = lammps_->atom;
+    const auto outside = [&](int mask) { return !(mask & fix_->groupbit); };
+    long mine = std::count_if(atom->mask, atom->mask + atom->nlocal, outside), all = 0;
+    MPI_Allreduce(&mine, &all, 1, MPI_LONG, MPI_SUM, communicator_);
+    if (all == 0) return;
+    const std::string id = fix_->id;
+    throw DemEngineError(
+        "fix " + id + " gas/coupling of the script '" + script_ + "' acts on group " +
+        lammps_->group->names[fix_->igroup] + ", and " + std::to_string(all) + " of " +
+        std::to_string(static_cast<long>(atom->natoms)) + " particles are outside this group. " +
+        "They would feel no gas, and the gas would be charged with their drag: use 'fix " + id +
+        " all gas/coupling'. To hold particles against the gas, put fix freeze or setforce behind");
   }
 
   /// Some commands end a run early and report no error.

@@ -48,6 +48,16 @@ SCRIPT_CASES = {
         lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
                        "fix gas all gas/coupling\nfix late all addforce 0 0 1e-9"),
         ["has fix gas gas/coupling before fix late addforce", "put fix gas/coupling behind", "couplingProperties"]),
+    "gas on none of the particles": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
+                       "region low block 0 0.06 0 0.06 0 0.1 units box\ngroup low region low\nfix gas low gas/coupling"),
+        ["fix gas gas/coupling of the script", "acts on group low, and 1 of 1 particles are outside this group",
+         "use 'fix gas all gas/coupling'", "couplingProperties"]),
+    "gas on one of two particles": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", "create_atoms 1 single 0.031 0.029 0.05 units box\n"
+                       "set group all diameter 1e-4 density 2000\ngroup first id 1\nfix air first gas/coupling"),
+        ["fix air gas/coupling of the script", "acts on group first, and 1 of 2 particles are outside this group",
+         "use 'fix air all gas/coupling'"]),
     "agglomerates that the script does not find": (
         lambda c: c.set(COUPLING, "agglomerateDrag", "equivalentSphere"),
         ["has no fix agglomerates", "add 'fix sets all agglomerates 1000'", "or take agglomerateDrag none",

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Particles that come and go while the gas flows, on 1 and 2 ranks: in each gas step the solid volume on the
 mesh is that of the particles, what the gas gave is what they felt or took along, and the log counts them as the
-engine does, to the last one."""
+engine does, to the last one. Those outside the group of fix gas/coupling stop the run."""
 
 import re
 import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, exchange_lines, script_file
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, edit, exchange_lines, script_file
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
 
@@ -17,8 +17,8 @@ FIRST = 2000 * 4 / 3 * np.pi * 2e-3**3  # the sphere that is there from the star
 SOME = r"(\d+) {} \((\S+) kg\)"
 
 
-def run(column, ranks):
-    case = column(str(ranks))
+def make(column, name):
+    case = column(name)
     (case.folder / "outlet.stl").write_text(stl(rectangle((0, 0, 0.13), (0.06, 0, 0), (0, 0.06, 0))))
     append(case, COUPLING, f'{ENGINE}Coeffs {{ script "{script_file("inserted")}"; }}')
     append(case, "system/controlDict", f"""endTime {STEPS * DT}; writeInterval {STEPS * DT}; writePrecision 15;
@@ -26,7 +26,7 @@ functions {{ forces {{ type forceBudget; libs (cohesionFunctionObjects); }} }}""
     # Across the ranks of the engine, which cut along z
     append(case, "system/decomposeParDict", "coeffs { n (2 1 1); }")
     case.mesh()
-    return case, case.solve(ranks=ranks)
+    return case
 
 
 def counted(log):
@@ -59,7 +59,8 @@ class Insertion(CoupledTestCase):
         self.expect_below("others / bound", (np.abs(others) / bound).max(), 1)
 
     def check(self, ranks):
-        case, log = run(self.column, ranks)
+        case = make(self.column, str(ranks))
+        log = case.solve(ranks=ranks)
         lines = exchange_lines(log)
         self.expect_equal(f"{ranks} ranks: gas steps", len(lines), STEPS)
         self.expect_balance(f"{ranks} ranks", lines)
@@ -88,6 +89,13 @@ class Insertion(CoupledTestCase):
         self.forces(case, mass, went_mass)
         if ENGINE == "lammps":
             self.expect_equal(f"{ranks} ranks: particles at the end", trace[-1, 1], 0)
+
+    def test_outside_the_group(self):
+        case = make(self.column, "group")
+        edit(case, script_file("inserted"), "fix gas      all gas/coupling", "group first id 1\nfix gas first gas/coupling")
+        self.refused("inserted particles outside the group", case, "fix gas gas/coupling of the script",
+                     "acts on group first, and", "particles are outside this group", "use 'fix gas all gas/coupling'",
+                     begun=True, written=True, ranks=2)
 
     def test_come_and_go(self):
         for ranks in (1, 2):
