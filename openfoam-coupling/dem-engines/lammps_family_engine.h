@@ -274,6 +274,10 @@ class LammpsFamilyEngine : public DemEngine {
                            " gas/coupling before " + fixes + ". The drag of a step follows from " +
                            "all other forces of that step, and does not see those: put fix " +
                            "gas/coupling behind");
+    if (const auto* fixes = static_cast<const char*>(extract("box_fixes")))
+      throw DemEngineError("the script '" + script + "' has " + fixes + ", which changes the " +
+                           "simulation box while the gas flows. The mesh of the gas stays as it " +
+                           "is: remove the fix, or use 'unfix' before the script ends");
   }
 
   /// The gas is charged with the drag of all particles, so that all must feel it. Particles that

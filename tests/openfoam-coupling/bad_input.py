@@ -172,6 +172,10 @@ CASES = {
     "library that is no adapter": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/library", '"libm.so.6"'),
         ["'libm.so.6' is not a particle engine adapter"]),
+    "box that changes": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", "change_box all boundary p f f\n"
+                       "fix df all deform 1 x scale 1.2\nfix gas all gas/coupling"),
+        ["has fix df deform, which changes the simulation box", "remove the fix", "couplingProperties"]),
     "plugin that cannot be loaded": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/variables/plugin", "nowhere.so"),
         ["The particle engine ended the run", "log.lammps"]),
