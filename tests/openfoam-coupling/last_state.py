@@ -99,6 +99,12 @@ class LastState(CoupledTestCase):
         case.finish(case.start())
         self.expect_equal("gas: complete in the end", complete(case, 1)[-1], 1e-3)
 
+    def test_error_as_a_state_is_kept(self):
+        """A sphere is outside the mesh when the first state is kept, before the engine makes a list of neighbours."""
+        case = make(self.column, "outside", 150)
+        edit(case, SCRIPT, "timestep ", "neigh_modify delay 20\ntimestep ")
+        self.refused("outside", case, "1 particle is outside the mesh", "Make the mesh as large as the box", begun=True)
+
     def test_nothing_is_left(self):
         case = make(self.column, "whole", 0)
         case.solve()

@@ -65,7 +65,15 @@ bool Foam::keptState::due() const
 void Foam::keptState::keep(const std::function<void()>& write)
 {
     const clockTime timer;
-    write();
+    try
+    {
+        write();
+    }
+    catch (...)
+    {
+        remove(time_.timePath());
+        throw;
+    }
     const fileName kept(time_.path()/folder);
     remove(kept);
     std::rename(time_.timePath().c_str(), kept.c_str());
