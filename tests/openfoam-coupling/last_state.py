@@ -5,10 +5,12 @@ either engine. Keeping that state changes nothing of a run, and
 leaves nothing after one that comes to its end."""
 
 import re
+import signal
+import time
 import unittest
 
 from cohesion_tests.coupling.cases import CONTROL, ENGINE, append, edit, script_file
-from cohesion_tests.coupling.swarm import complete
+from cohesion_tests.coupling.swarm import complete, steps_begun
 from cohesion_tests.coupling.test_case import CoupledTestCase, times
 from cohesion_tests.refusals import assert_says
 
@@ -104,6 +106,53 @@ class LastState(CoupledTestCase):
         case = make(self.column, "outside", 150)
         edit(case, SCRIPT, "timestep ", "neigh_modify delay 20\ntimestep ")
         self.refused("outside", case, "1 particle is outside the mesh", "Make the mesh as large as the box", begun=True)
+
+    def stopped(self, ranks, number):
+        """A signal ends the run before a time is written: the next run begins at the state that was kept."""
+        name = f"signal {number}, {ranks} ranks"
+        case = make(self.column, f"signal-{number}-{ranks}", 0)
+        append(case, CONTROL, "endTime 100; writeInterval 100;")
+        if ranks > 1:
+            case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
+            case.run("decomposePar", "-force")
+        process = case.start(ranks=ranks)
+        while process.poll() is None and steps_begun(case) < 20:
+            time.sleep(0.005)
+        process.send_signal(number)
+        process.wait()
+        self.expect_equal(f"{name}: complete times", complete(case, ranks), [])
+        folder = case.folder / "processor0" if ranks > 1 else case.folder
+        kept = re.search(r'name +"(\S+)"', (folder / "kept/uniform/time").read_text())[1]
+        append(case, CONTROL, f"endTime {float(kept) + 3e-4:.8g}; writeInterval 1e-4;")
+        case.finish(case.start(ranks=ranks))
+        log = case.log("cohesiveBedFoam").read_text()
+        assert_says(self, log, f"The last complete state is that of time {kept}")
+        first = re.search(r"\nTime = (\S+)", log)[1]
+        self.expect_near(f"{name}: the first step ends at", float(first), float(kept) + 1e-4, 1e-9)
+        self.expect_equal(f"{name}: the first complete time", complete(case, ranks)[0], float(kept))
+        self.expect_true(f"{name}: nothing is left of what was kept", not (folder / "kept").exists())
+
+    def test_stopped_by_a_signal(self):
+        for ranks in (1, 2):
+            self.stopped(ranks, signal.SIGTERM)
+        self.stopped(1, signal.SIGKILL)
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_begun_anew(self):
+        """A run that starts elsewhere leaves what is kept until it has a complete state of its own; with -overwrite that
+        is complete no more."""
+        case = make(self.column, "anew", 0)
+        old = case.folder / "kept/uniform"
+        for options, left in (((), True), (("-overwrite",), False)):
+            old.mkdir(parents=True)
+            (old / "time").write_text('value 50; name "50";\n')
+            (old / "completeState").write_text("engineSteps 500000;\n")
+            append(case, CONTROL, "startFrom startTime; deltaT 1.05e-4;")
+            self.refused(f"before the first step {options}", case, "whole multiple", options=options)
+            self.expect_equal(f"complete, started with {options}", (old / "completeState").exists(), left)
+            append(case, CONTROL, "deltaT 1e-4;")
+            case.solve("-overwrite")
+            self.expect_true("nothing is left after a complete state", not old.parent.exists())
 
     def test_nothing_is_left(self):
         case = make(self.column, "whole", 0)
