@@ -172,6 +172,10 @@ CASES = {
     "library that is no adapter": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/library", '"libm.so.6"'),
         ["'libm.so.6' is not a particle engine adapter"]),
+    "run without a step": (
+        lambda c: edit(c, SCRIPT, "fix move     all nve/sphere", "fix low all wall/gran/hamaker stiffness 100 restitution "
+                       "0.9 friction 0 hamaker 0 zplane 0 NULL\nfix move all nve/sphere\ntimestep 0\nrun 1"),
+        ["fix low wall/gran/hamaker: timestep 0: give a time step above 0", "The particle engine ended the run"]),
     "box that changes": (
         lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", "change_box all boundary p f f\n"
                        "fix df all deform 1 x scale 1.2\nfix gas all gas/coupling"),
