@@ -227,7 +227,7 @@ void Foam::gasParticleCoupling::writeState(const bool written)
 }
 
 
-void Foam::gasParticleCoupling::keepState(const Time& time)
+void Foam::gasParticleCoupling::keepState(const coupledTime& time)
 {
     if (time.timeIndex() == time.startTimeIndex() || !kept_.due())
     {
@@ -239,7 +239,7 @@ void Foam::gasParticleCoupling::keepState(const Time& time)
         const bool particlesWritten = writeParticles();
         const fileName state(completeState::engineFile(time));
         engineWorks([&]() { engine_->keep(state); });
-        completeState::mark(time, engine_->steps_done(), written && particlesWritten);
+        completeState::mark(time, engine_->steps_done(), written && particlesWritten, time.writtenFrom());
     };
     kept_.keep(write);
 }

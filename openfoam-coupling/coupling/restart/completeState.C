@@ -2,7 +2,6 @@
 #include "completeState.H"
 
 #include "IFstream.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
@@ -311,81 +310,4 @@ void Foam::completeState::unmarkLaterTimes(const Time& time)
     }
     // No rank writes a time that still has its mark.
     returnReduce(label(0), sumOp<label>());
-}
-
-
-Foam::fileName Foam::completeState::restartFile(const Time& time)
-{
-    fileName file(time.timePath()/"uniform/particles.restart");
-    fromFirstRank(file);
-    return file;
-}
-
-
-Foam::fileName Foam::completeState::engineFile(const Time& time)
-{
-    fileName file(time.path()/"particles.restart");
-    fromFirstRank(file);
-    return file;
-}
-
-
-bool Foam::completeState::writeFields(const Time& time)
-{
-    const objectRegistry& registry = time;
-    return
-        time.writeTimeDict()
-#if OPENFOAM >= 2012
-     && registry.objectRegistry::writeObject(time.writeStreamOption(), true);
-#else
-     && registry.objectRegistry::writeObject
-        (
-            time.writeFormat(), IOstream::currentVersion, time.writeCompression(), true
-        );
-#endif
-}
-
-
-void Foam::completeState::mark(const Time& time, const int64_t engineSteps, const bool written)
-{
-    const fileName from(engineFile(time));
-    const fileName to(restartFile(time));
-    // This waits for all ranks.
-    bool complete = returnReduce(written, andOp<bool>());
-    if (complete && Pstream::master())
-    {
-        const fileName marked(markOf(time.path(), instant(time.value(), time.timeName())));
-        const fileName part(marked + ".part");
-        mkDir(marked.path());
-        complete = mv(from, to);
-        {
-            OFstream file(part);
-            file.writeEntry("engineSteps", engineSteps);
-            file.flush();
-            complete = complete && file.good();
-        }
-        complete = complete && mv(part, marked);
-    }
-    if (!returnReduce(complete, andOp<bool>()))
-    {
-        FatalErrorInFunction
-            << "time " << time.timeName() << " could not be written in full and stays without '"
-            << marker << "'" << nl
-            << "    See whether the disk is full and the case's folder can be written to; 'startFrom"
-            << " latestTime;' in system/controlDict then continues from the last complete time"
-            << exit(FatalError);
-    }
-}
-
-
-int64_t Foam::completeState::engineSteps(const Time& time)
-{
-    int64_t steps = 0;
-    if (Pstream::master())
-    {
-        IFstream file(time.timePath()/marker);
-        steps = dictionary(file).get<int64_t>("engineSteps");
-    }
-    fromFirstRank(steps);
-    return steps;
 }
