@@ -48,6 +48,10 @@ SCRIPT_CASES = {
         lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
                        "fix gas all gas/coupling\nfix late all addforce 0 0 1e-9"),
         ["has fix gas gas/coupling before fix late addforce", "put fix gas/coupling behind", "couplingProperties"]),
+    "box that changes": (
+        lambda c: (edit(c, SCRIPT, "boundary     f f f", "boundary     p f f"),
+                   edit(c, SCRIPT, "fix gas      all gas/coupling", "fix df all deform 1 x scale 1.2\nfix gas all gas/coupling")),
+        ["has fix df deform, which changes the simulation box", "remove the fix", "couplingProperties"]),
     "gas on none of the particles": (
         lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
                        "region low block 0 0.06 0 0.06 0 0.1 units box\ngroup low region low\nfix gas low gas/coupling"),
@@ -176,10 +180,6 @@ CASES = {
         lambda c: edit(c, SCRIPT, "fix move     all nve/sphere", "fix low all wall/gran/hamaker stiffness 100 restitution "
                        "0.9 friction 0 hamaker 0 zplane 0 NULL\nfix move all nve/sphere\ntimestep 0\nrun 1"),
         ["fix low wall/gran/hamaker: timestep 0: give a time step above 0", "The particle engine ended the run"]),
-    "box that changes": (
-        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", "change_box all boundary p f f\n"
-                       "fix df all deform 1 x scale 1.2\nfix gas all gas/coupling"),
-        ["has fix df deform, which changes the simulation box", "remove the fix", "couplingProperties"]),
     "plugin that cannot be loaded": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/variables/plugin", "nowhere.so"),
         ["The particle engine ended the run", "log.lammps"]),
