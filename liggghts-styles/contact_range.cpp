@@ -17,6 +17,7 @@ namespace Cohesion {
 void require_range(LAMMPS* lmp, PropertyRegistry& registry, FixWallGran* wall,
                    const std::string& model, const ContactRange& range) {
   const double most = 2.0 * registry.max_radius();
+  require_time_step(lmp, model);
   require_plausible_spheres(lmp, model);
   require_plausible_range(lmp, model, most * (1.0 + range.ratio) + range.gap);
 

@@ -85,6 +85,17 @@ std::string FixGasCoupling::unseen_fixes() const {
   return found;
 }
 
+/// Returns a list, in words, of the fixes that change the size or the shape of the box.
+std::string FixGasCoupling::box_fixes() const {
+  std::string found;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix* const fix = modify->fix[k];
+    if (engine_api::changes_box(fix))
+      found += message(found.empty() ? "fix " : ", fix ", fix->id, " ", fix->style);
+  }
+  return found;
+}
+
 /// Returns which components of the force of which particles fixes setforce behind this one set:
 /// neither gravity nor gas acts along them. The fixes are let act on a force that nobody sets.
 std::vector<bool> FixGasCoupling::components_set_afterwards() {
@@ -199,7 +210,7 @@ void FixGasCoupling::apply_liquid(int i, bool setting_up) {
 /// accelerations that fixes gravity give to the particles of this rank and the group that forces
 /// move, along axes on which no fix setforce behind it sets the force: the lowest of each
 /// component, then the highest. "unseen_fixes": char*, fixes that put on forces after this one;
-/// null: none.
+/// "box_fixes": char*, fixes that change the box; null: none.
 void* FixGasCoupling::extract(const char* name, int& dimension) {
   const std::string asked = name;
   dimension = asked == "gas" || asked == "liquid" ? 2 : 1;
@@ -218,9 +229,9 @@ void* FixGasCoupling::extract(const char* name, int& dimension) {
     find_gravity();
     return gravity;
   }
-  if (asked == "unseen_fixes") {
-    unseen = unseen_fixes();
-    return unseen.empty() ? nullptr : &unseen[0];
+  if (asked == "unseen_fixes" || asked == "box_fixes") {
+    listed = asked == "box_fixes" ? box_fixes() : unseen_fixes();
+    return listed.empty() ? nullptr : &listed[0];
   }
   return nullptr;
 }

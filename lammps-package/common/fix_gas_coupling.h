@@ -61,6 +61,7 @@ class FixGasCoupling : public Fix {
   void copy_row(int i, double* to) const;
   void set_row(int i, const double* from);
   std::string unseen_fixes() const;
+  std::string box_fixes() const;
   std::vector<bool> components_set_afterwards();
   void find_gravity();
 
@@ -69,7 +70,7 @@ class FixGasCoupling : public Fix {
   double impulse[6];     // of this rank since the solver reset it: drag, pressure
   double force[6];       // of this rank in this step: drag, pressure
   double gravity[6];     // of this rank's particles, lowest and highest: extract()
-  std::string unseen;
+  std::string listed;    // fixes: extract()
 };
 
 }  // namespace LAMMPS_NS

@@ -122,6 +122,12 @@ void LAMMPS_NS::require_mechanical_units(const LAMMPS* lmp, const std::string& w
        "use 'units si', 'cgs', 'micro', 'nano' or 'lj'");
 }
 
+void LAMMPS_NS::require_time_step(const LAMMPS* lmp, const std::string& where) {
+  const double dt = lmp->update->dt;
+  if (dt > 0.0 && std::isfinite(dt)) return;
+  stop(lmp, FLERR, where, ": timestep ", dt, ": give a time step above 0");
+}
+
 std::string LAMMPS_NS::units_of_lengths(const LAMMPS* lmp) {
   const std::string units = lmp->update->unit_style;
   const std::string length = units == "si" ? ", m" : units == "cgs" ? ", cm" : "";

@@ -8,8 +8,8 @@
 
 namespace LAMMPS_NS {
 
-// Units, lengths and masses that cannot be meant, refused before the engine makes lists with them:
-// of both engines. All ranks must call these; `where` stands in front of the messages.
+// Units, lengths, masses and time steps that cannot be meant, refused before the engine makes lists
+// with them: of both engines. All ranks must call these; `where` stands in front of the messages.
 
 /// Those of the script; null: they stand for any, or are not known.
 const cohesion::advice::SiUnits* si_units(const class LAMMPS*);
@@ -17,6 +17,9 @@ const cohesion::advice::SiUnits* si_units(const class LAMMPS*);
 /// Stops in units in which force is not mass times acceleration: the laws of this package convert
 /// nothing.
 void require_mechanical_units(const class LAMMPS*, const std::string& where);
+
+/// Stops at a time step that is not above zero: contacts and events act over the length of a step.
+void require_time_step(const class LAMMPS*, const std::string& where);
 
 /// "; lengths are those of 'units si'", behind a message about one.
 std::string units_of_lengths(const class LAMMPS*);

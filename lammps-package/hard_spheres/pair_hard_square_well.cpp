@@ -173,6 +173,7 @@ void PairHardSquareWell::init_style() {
     error->all(FLERR, "pair_style hard/squarewell follows motion in time; it cannot be minimized");
   event_fix_ = FixHardEvents::find_or_create(lmp);
   contacts_.commit();
+  require_time_step(lmp, "pair_style hard/squarewell");
   require_plausible_spheres(lmp, "pair_style hard/squarewell");
   require_whole_special_factors(lmp, this, "pair_style hard/squarewell", false);
   largest_radius_ = largest_radii(lmp);

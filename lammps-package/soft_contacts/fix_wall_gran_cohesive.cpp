@@ -129,6 +129,7 @@ void FixWallGranCohesive<Cohesion>::init() {
     error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, where + " follows motion in time; it cannot be minimized");
+  require_time_step(lmp, where);
   require_plausible_spheres(lmp, where);
   const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
   for (int type = 1; type <= atom->ntypes; type++)

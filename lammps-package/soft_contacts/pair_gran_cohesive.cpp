@@ -84,6 +84,7 @@ void PairGranCohesive<Cohesion>::init_style() {
     svector = new double[SINGLE_EXTRA];
     single_extra = SINGLE_EXTRA;
   }
+  require_time_step(lmp, coefficients.message_prefix());
   require_plausible_spheres(lmp, coefficients.message_prefix());
   require_whole_special_factors(lmp, this, coefficients.message_prefix(), true);
   largest_radius = largest_radii(lmp);

@@ -16,6 +16,30 @@
 
 using namespace cohesion;
 
+namespace
+{
+
+//- Lets the engine work. Its errors become FatalError; those of OpenFOAM are std::exception, too, and hold their text
+//  elsewhere.
+template<class Task>
+void engineWorks(const Task& task)
+{
+    try
+    {
+        task();
+    }
+    catch (const Foam::error&)
+    {
+        throw;
+    }
+    catch (const std::exception& error)
+    {
+        FatalErrorInFunction << error.what() << Foam::exit(Foam::FatalError);
+    }
+}
+
+} // End anonymous namespace
+
 
 void Foam::gasParticleCoupling::locateParticles()
 {
@@ -146,14 +170,7 @@ void Foam::gasParticleCoupling::advanceParticles
     seconds_.exchange += timer.timeIncrement();
 
     const fileName state = write ? completeState::engineFile(time) : fileName();
-    try
-    {
-        engine_->advance(step_->subSteps(), state);
-    }
-    catch (const std::exception& error)
-    {
-        FatalErrorInFunction << error.what() << exit(FatalError);
-    }
+    engineWorks([&]() { engine_->advance(step_->subSteps(), state); });
     seconds_.particles += timer.timeIncrement();
 
     if (write)
@@ -210,7 +227,7 @@ void Foam::gasParticleCoupling::writeState(const bool written)
 }
 
 
-void Foam::gasParticleCoupling::keepState(const Time& time)
+void Foam::gasParticleCoupling::keepState(const coupledTime& time)
 {
     if (time.timeIndex() == time.startTimeIndex() || !kept_.due())
     {
@@ -220,15 +237,9 @@ void Foam::gasParticleCoupling::keepState(const Time& time)
     {
         const bool written = completeState::writeFields(time);
         const bool particlesWritten = writeParticles();
-        engine_->keep(completeState::engineFile(time));
-        completeState::mark(time, engine_->steps_done(), written && particlesWritten);
+        const fileName state(completeState::engineFile(time));
+        engineWorks([&]() { engine_->keep(state); });
+        completeState::mark(time, engine_->steps_done(), written && particlesWritten, time.writtenFrom());
     };
-    try
-    {
-        kept_.keep(write);
-    }
-    catch (const std::exception& error)
-    {
-        FatalErrorInFunction << error.what() << exit(FatalError);
-    }
+    kept_.keep(write);
 }

@@ -109,7 +109,7 @@ void Foam::gasParticleCoupling::reportBalance
 
 void Foam::gasParticleCoupling::report(const scalar total)
 {
-    kept_.drop();
+    kept_.end();
     turnover_.report(*engine_);
     monitor_.report();
     bound_.report();

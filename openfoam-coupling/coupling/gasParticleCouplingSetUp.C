@@ -146,7 +146,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
 }
 
 
-void Foam::gasParticleCoupling::start(Time& time)
+void Foam::gasParticleCoupling::start(coupledTime& time)
 {
     makeEngine();
     requireSiUnits();

@@ -14,7 +14,7 @@ constexpr Foam::scalar largestCourant = 2;
 } // End anonymous namespace
 
 
-Foam::gasStep::gasStep(Time& time, const scalar particleStep, const bool continued)
+Foam::gasStep::gasStep(coupledTime& time, const scalar particleStep, const bool continued)
 :
     time_(time),
     particleStep_(particleStep)
@@ -108,7 +108,7 @@ Foam::scalar Foam::gasStep::allowedSteps(const scalar courant)
 
 Foam::scalar Foam::gasStep::stepsToNextOutput() const
 {
-    const scalar start = time_.startTime().value();
+    const scalar start = time_.writtenFrom();
     scalar next = time_.endTime().value();
     const dictionary& control = time_.controlDict();
     // Time's own table of names is used: some of its controls have two.

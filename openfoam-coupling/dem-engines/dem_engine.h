@@ -88,7 +88,8 @@ class DemEngine {
   virtual void without_liquid() = 0;
 
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
-  /// end is also written there, what gas() holds included. Throws DemEngineError, on all ranks.
+  /// end is also written there, what gas() holds included. Throws DemEngineError, on all ranks,
+  /// also where the engine did other than so many steps, and where gas forces miss a particle.
   virtual void advance(int steps, const std::string& restart = "") = 0;
 
   /// Steps done since the particles were set up, those before a restart included.

@@ -19,6 +19,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "fix.h"
+#include "group.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -39,6 +40,7 @@ struct ScriptWords {
   const char* engine;     ///< its name, for messages
   const char* continued;  ///< value of the variable `continued`: there is a state to continue from
   const char* not_continued;
+  const char* early_end;  ///< what may have ended a run early, and the cure
   /// Writes a restart file between runs, of the particles where they are and on the ranks that have
   /// them, and of contacts as they are.
   void (*write_state)(LAMMPS_NS::LAMMPS*, const std::string& file);
@@ -65,6 +67,7 @@ class LammpsFamilyEngine : public DemEngine {
       run_script(settings.script);
       require_step(settings.script);
       require_coupled(settings.script);
+      require_all_in_group();
       command("run 0 post no");
     });
   }
@@ -99,7 +102,8 @@ class LammpsFamilyEngine : public DemEngine {
   void advance(int steps, const std::string& restart) override {
     work([&] {
       std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
-      command("run " + std::to_string(steps) + " pre no post no");
+      run(steps);
+      require_all_in_group();
       if (restart.empty()) return;
       // The command `restart` would write what contacts remember of the step before.
       // `write_restart` hands particles on to other ranks, which must have been done before,
@@ -270,6 +274,39 @@ class LammpsFamilyEngine : public DemEngine {
                            " gas/coupling before " + fixes + ". The drag of a step follows from " +
                            "all other forces of that step, and does not see those: put fix " +
                            "gas/coupling behind");
+    if (const auto* fixes = static_cast<const char*>(extract("box_fixes")))
+      throw DemEngineError("the script '" + script + "' has " + fixes + ", which changes the " +
+                           "simulation box while the gas flows. The mesh of the gas stays as it " +
+                           "is: remove the fix, or use 'unfix' before the script ends");
+  }
+
+  /// The gas is charged with the drag of all particles, so that all must feel it. Particles that
+  /// fixes insert during a run may be outside the group.
+  void require_all_in_group() const {
+    const auto* atom = lammps_->atom;
+    const auto outside = [&](int mask) { return !(mask & fix_->groupbit); };
+    long mine = std::count_if(atom->mask, atom->mask + atom->nlocal, outside), all = 0;
+    MPI_Allreduce(&mine, &all, 1, MPI_LONG, MPI_SUM, communicator_);
+    if (all == 0) return;
+    const std::string id = fix_->id;
+    throw DemEngineError(
+        "fix " + id + " gas/coupling of the script '" + script_ + "' acts on group " +
+        lammps_->group->names[fix_->igroup] + ", and " + std::to_string(all) + " of " +
+        std::to_string(static_cast<long>(atom->natoms)) + " particles are outside this group. " +
+        "They would feel no gas, and the gas would be charged with their drag: use 'fix " + id +
+        " all gas/coupling'. To hold particles against the gas, put fix freeze or setforce behind");
+  }
+
+  /// Some commands end a run early and report no error.
+  void run(int steps) {
+    const long before = steps_done();
+    command("run " + std::to_string(steps) + " pre no post no");
+    const long done = steps_done() - before;
+    if (done == steps) return;
+    throw DemEngineError("the particle engine did " + std::to_string(done) + " of the " +
+                         std::to_string(steps) + " steps of this gas step and stands at its step " +
+                         std::to_string(steps_done()) + ". " + words_.early_end + " Its log is '" +
+                         log_ + "'");
   }
 
   /// Throws DemEngineError where there is none, or several.

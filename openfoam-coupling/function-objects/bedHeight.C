@@ -9,6 +9,7 @@
 #include "coupling/fromFirstRank.H"
 #include "coupling/input/readPositive.H"
 
+#include <limits>
 #include <vector>
 
 namespace Foam
@@ -121,7 +122,7 @@ Foam::scalar Foam::functionObjects::bedHeight::meanHeight() const
     }
     reduce(moment, sumOp<scalar>());
     reduce(mass, sumOp<scalar>());
-    return 2*moment/mass;
+    return mass > 0 ? 2*moment/mass : std::numeric_limits<scalar>::quiet_NaN();
 }
 
 
@@ -154,7 +155,8 @@ Foam::scalar Foam::functionObjects::bedHeight::highest() const
     {
         highest = max(highest, (positions[i] & up_) + radii[i]);
     }
-    return returnReduce(highest, maxOp<scalar>()) - bottom_;
+    reduce(highest, maxOp<scalar>());
+    return highest > -VGREAT ? highest - bottom_ : std::numeric_limits<scalar>::quiet_NaN();
 }
 
 

@@ -214,9 +214,9 @@ bool Foam::functionObjects::bedPressureDrop::write()
     }
     const scalar pressure = drop_/over_;
     const scalar carried = weight();
-    // Along a horizontal axis there is no weight to be carried.
+    // Along a horizontal axis, and without particles, there is no weight to be carried.
     const vector& g = particles().g();
-    const bool heavy = mag(g & up_) > 1e-9*mag(g);
+    const bool heavy = mag(g & up_) > 1e-9*mag(g) && mag(carried) > 0;
 
     writeCurrentTime(file());
     file() << tab << over_ << tab << velocity_/over_ << tab << pressure << tab << carried << tab;

@@ -7,6 +7,8 @@
 #include "coupling/exchange/meshCells.H"
 #include "coupling/input/readPositive.H"
 
+#include <limits>
+
 namespace Foam
 {
 namespace functionObjects
@@ -88,7 +90,7 @@ void Foam::functionObjects::particleMovement::writeMovement()
     reduce(squares, sumOp<vector>());
     reduce(n, sumOp<label>());
 
-    const scalar share = n ? 1.0/n : 0;
+    const scalar share = n ? 1.0/n : std::numeric_limits<scalar>::quiet_NaN();
     writeCurrentTime(file());
     file() << tab << time_.value() - before_.time() << tab << distance*share;
     for (direction d = 0; d < 3; ++d)

@@ -32,6 +32,7 @@ Usage
 #include "requireParallel.H"
 
 #include "coupling/restart/completeState.H"
+#include "coupling/restart/coupledTime.H"
 #include "coupling/gasParticleCoupling.H"
 #include "coupling/checks/requireDimensions.H"
 #include "coupling/checks/caseChecks.H"
@@ -51,8 +52,10 @@ int main(int argc, char* argv[])
     Info<< "Cohesion " COHESION_VERSION << nl;
     requireParallel();
     completeState::setAsideIncomplete(args);
-    #include "createTime.H"
+    Info<< "Create time\n" << endl;
+    coupledTime runTime(args);
     completeState::prepareStart(runTime, args.found("overwrite"));
+    runTime.writeFrom(completeState::writtenFrom(runTime));
     #include "createMesh.H"
 
     requireEuler(mesh);

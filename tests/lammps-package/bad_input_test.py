@@ -67,6 +67,24 @@ class BadInput(ScriptTestCase):
         self.stops(none + 'run 1\nrun 4 pre no every 2 "pair_coeff * * hamaker 1e-19"\n', "pair_style hamaker",
                    "an A was raised", "without fix adapt", "before the run", after_a_run=True)
 
+    def test_time_step(self):
+        """Contacts and events act over the length of a step; in the first run and in a later one."""
+        contact = "stiffness 800 restitution 0.9"
+        head = SPHERES.replace("newton off", "newton off\ncomm_modify vel yes")
+        wall = "fix w all wall/gran/hamaker " + contact + " hamaker 1e-19 cutoff 4e-10 1e-7 xplane 0 NULL\n"
+        for style, coefficients, others, says in (
+                ("gran/hamaker", contact + " hamaker 1e-19 cutoff 4e-10 1e-7", "", "pair_style gran/hamaker"),
+                ("gran/hamaker scheme sampled", contact, "", "pair_style gran/hamaker"),
+                ("gran/squarewell", contact + " well 1e-11 1.1", "", "pair_style gran/squarewell"),
+                ("hard/squarewell", "restitution 0.9 well 1e-11 1.1", "", "pair_style hard/squarewell"),
+                ("zero 1e-3", "", wall, "fix w wall/gran/hamaker")):
+            start = f"{head}pair_style {style}\npair_coeff * * {coefficients}\n{others}fix move all nve/sphere\n"
+            for step in ("0", "-1e-7"):
+                with self.subTest(style, step=step):
+                    said = (says, f"timestep {float(step):g}: give a time step above 0")
+                    self.stops(start + f"timestep {step}\nrun 1\n", *said)
+                    self.stops(start + f"run 1\ntimestep {step}\nrun 1\n", *said, after_a_run=True)
+
     def test_coefficients_that_no_set_up_takes(self):
         contact = "stiffness 800 restitution 0.9"
         for style, first, then in (

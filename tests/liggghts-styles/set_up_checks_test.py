@@ -48,6 +48,13 @@ class SetUp(unittest.TestCase):
                 with self.subTest(scheme, units=units):
                     self.stops(self.two(scheme).replace("units si", f"units {units}"), says)
 
+    def test_time_step(self):
+        for scheme in SCHEMES:
+            for step in (0, -1e-8):
+                with self.subTest(scheme, step=step):
+                    self.stops(self.two(scheme, dt=step), "cohesion model hamaker:", f"timestep {step:g}: give a time step"
+                               " above 0")
+
     def test_constant_that_no_material_has(self):
         """F_ad = A R*/(6 H_cut^2): 2.6 N at 1e-14 J, four times the diameter in the spring."""
         for scheme in SCHEMES:

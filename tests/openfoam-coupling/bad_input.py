@@ -48,6 +48,20 @@ SCRIPT_CASES = {
         lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
                        "fix gas all gas/coupling\nfix late all addforce 0 0 1e-9"),
         ["has fix gas gas/coupling before fix late addforce", "put fix gas/coupling behind", "couplingProperties"]),
+    "box that changes": (
+        lambda c: (edit(c, SCRIPT, "boundary     f f f", "boundary     p f f"),
+                   edit(c, SCRIPT, "fix gas      all gas/coupling", "fix df all deform 1 x scale 1.2\nfix gas all gas/coupling")),
+        ["has fix df deform, which changes the simulation box", "remove the fix", "couplingProperties"]),
+    "gas on none of the particles": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
+                       "region low block 0 0.06 0 0.06 0 0.1 units box\ngroup low region low\nfix gas low gas/coupling"),
+        ["fix gas gas/coupling of the script", "acts on group low, and 1 of 1 particles are outside this group",
+         "use 'fix gas all gas/coupling'", "couplingProperties"]),
+    "gas on one of two particles": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", "create_atoms 1 single 0.031 0.029 0.05 units box\n"
+                       "set group all diameter 1e-4 density 2000\ngroup first id 1\nfix air first gas/coupling"),
+        ["fix air gas/coupling of the script", "acts on group first, and 1 of 2 particles are outside this group",
+         "use 'fix air all gas/coupling'"]),
     "agglomerates that the script does not find": (
         lambda c: c.set(COUPLING, "agglomerateDrag", "equivalentSphere"),
         ["has no fix agglomerates", "add 'fix sets all agglomerates 1000'", "or take agglomerateDrag none",
@@ -162,6 +176,10 @@ CASES = {
     "library that is no adapter": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/library", '"libm.so.6"'),
         ["'libm.so.6' is not a particle engine adapter"]),
+    "run without a step": (
+        lambda c: edit(c, SCRIPT, "fix move     all nve/sphere", "fix low all wall/gran/hamaker stiffness 100 restitution "
+                       "0.9 friction 0 hamaker 0 zplane 0 NULL\nfix move all nve/sphere\ntimestep 0\nrun 1"),
+        ["fix low wall/gran/hamaker: timestep 0: give a time step above 0", "The particle engine ended the run"]),
     "plugin that cannot be loaded": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/variables/plugin", "nowhere.so"),
         ["The particle engine ended the run", "log.lammps"]),

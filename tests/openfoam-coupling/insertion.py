@@ -1,32 +1,43 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Particles that come and go while the gas flows, on 1 and 2 ranks: in each gas step the solid volume on the
 mesh is that of the particles, what the gas gave is what they felt or took along, and the log counts them as the
-engine does, to the last one."""
+engine does, to the last one. Those outside the group of fix gas/coupling stop the run. Tables go on
+without particles."""
 
 import re
 import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, exchange_lines, script_file
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, edit, exchange_lines, script_file
+from cohesion_tests.coupling.fields import table
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
 
 STEPS, DT = 120, 1e-4
+EACH = "writeControl timeStep; writeInterval 1;"
 FIRST = 2000 * 4 / 3 * np.pi * 2e-3**3  # the sphere that is there from the start [kg]
 SOME = r"(\d+) {} \((\S+) kg\)"
 
 
-def run(column, ranks):
-    case = column(str(ranks))
+def make(column, name):
+    case = column(name)
     (case.folder / "outlet.stl").write_text(stl(rectangle((0, 0, 0.13), (0.06, 0, 0), (0, 0.06, 0))))
     append(case, COUPLING, f'{ENGINE}Coeffs {{ script "{script_file("inserted")}"; }}')
     append(case, "system/controlDict", f"""endTime {STEPS * DT}; writeInterval {STEPS * DT}; writePrecision 15;
-functions {{ forces {{ type forceBudget; libs (cohesionFunctionObjects); }} }}""")
+functions
+{{
+    forces {{ type forceBudget; libs (cohesionFunctionObjects); }}
+    height {{ type bedHeight; libs (cohesionFunctionObjects); layers 10; restHeight 0.1; {EACH} }}
+    drop {{ type bedPressureDrop; libs (cohesionFunctionObjects); {EACH} }}
+    mixing {{ type mixingIndex; libs (cohesionFunctionObjects); cells (3 3 10); {EACH} }}
+    movement {{ type particleMovement; libs (cohesionFunctionObjects); interval {DT}; }}
+    fields {{ type particleFields; libs (cohesionFunctionObjects); {EACH} }}
+}}""")
     # Across the ranks of the engine, which cut along z
     append(case, "system/decomposeParDict", "coeffs { n (2 1 1); }")
     case.mesh()
-    return case, case.solve(ranks=ranks)
+    return case
 
 
 def counted(log):
@@ -58,8 +69,22 @@ class Insertion(CoupledTestCase):
         bound = 9.81 * (went_mass + 0.1 * mass + 1e-6 * FIRST)[:, None]
         self.expect_below("others / bound", (np.abs(others) / bound).max(), 1)
 
+    def without_particles(self, case):
+        """Columns of tables that have no value once the last particle has gone, and the others."""
+        nan = float("nan")
+        for name, kind, expected in (("height", "bedHeight", [nan, nan, 0, nan]),
+                                     ("mixing", "mixingIndex", [nan, 0, 0]),
+                                     ("movement", "particleMovement", [DT, nan, nan, nan, nan, 0])):
+            last = table(case, name, kind)[-1][1:]
+            self.expect_true(f"{kind} without particles: {last}, expected {expected}",
+                             np.allclose(last, expected, rtol=1e-5, atol=1e-12, equal_nan=True))
+        weight, share = table(case, "drop", "bedPressureDrop")[-1][-2:]
+        self.expect_equal("weight without particles", weight, 0)
+        self.expect_true(f"drop over weight without particles: {share}", np.isnan(share))
+
     def check(self, ranks):
-        case, log = run(self.column, ranks)
+        case = make(self.column, str(ranks))
+        log = case.solve(ranks=ranks)
         lines = exchange_lines(log)
         self.expect_equal(f"{ranks} ranks: gas steps", len(lines), STEPS)
         self.expect_balance(f"{ranks} ranks", lines)
@@ -88,6 +113,14 @@ class Insertion(CoupledTestCase):
         self.forces(case, mass, went_mass)
         if ENGINE == "lammps":
             self.expect_equal(f"{ranks} ranks: particles at the end", trace[-1, 1], 0)
+            self.without_particles(case)
+
+    def test_outside_the_group(self):
+        case = make(self.column, "group")
+        edit(case, script_file("inserted"), "fix gas      all gas/coupling", "group first id 1\nfix gas first gas/coupling")
+        self.refused("inserted particles outside the group", case, "fix gas gas/coupling of the script",
+                     "acts on group first, and", "particles are outside this group", "use 'fix gas all gas/coupling'",
+                     begun=True, written=True, ranks=2)
 
     def test_come_and_go(self):
         for ranks in (1, 2):

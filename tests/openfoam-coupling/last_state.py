@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run that ends itself in its middle, by an error of the particle engine or of the gas's side, leaves its last complete
-state, and is continued from there; on 1 and 2 ranks, with either engine. Keeping that state changes nothing of a run, and
-leaves nothing after one that comes to its end."""
+state, and is continued from there; so is a run that a signal ends. The engine may do fewer steps than a gas step has.
+On 1 and 2 ranks, with either engine. Keeping that state changes nothing of a run, and leaves nothing after one that
+comes to its end."""
 
+import math
 import re
+import signal
+import time
 import unittest
 
 from cohesion_tests.coupling.cases import CONTROL, ENGINE, append, edit, script_file
-from cohesion_tests.coupling.swarm import complete
+from cohesion_tests.coupling.swarm import complete, steps_begun
 from cohesion_tests.coupling.test_case import CoupledTestCase, times
+from cohesion_tests.refusals import assert_says
 
 SCRIPT = script_file("particles")
 CREATE = {"lammps": ('"${continued} == no"', "create_atoms 1 single 0.031 0.029 0.19", "region       box block 0 0.06 0 0.06"
@@ -60,6 +65,31 @@ class LastState(CoupledTestCase):
         for ranks in (1, 2):
             self.engine_error(ranks)
 
+    def halted(self, ranks, kind):
+        """The engine ends a run in the third gas step, after 6 of its 10 steps, and reports no error."""
+        name = f"{kind} halt, {ranks} ranks"
+        case = make(self.column, f"halt-{kind}-{ranks}", 0)
+        edit(case, SCRIPT, "fix gas ", f"variable done equal step\nfix halt all halt 1 v_done > 25 error {kind}\nfix gas ")
+        log = self.ends(name, case, ranks)
+        assert_says(self, log, "the particle engine did 6 of the 10 steps of this gas step and stands at its step 26",
+                    "'fix halt' with 'error soft'", "'timer timeout'", "log.lammps")
+        self.expect_equal(f"{name}: gas steps", log.count("\nTime = "), 3)
+
+    @unittest.skipUnless(ENGINE == "lammps", "commands of LAMMPS")
+    def test_engine_halts(self):
+        for ranks in (1, 2):
+            self.halted(ranks, "soft")
+        self.halted(1, "continue")
+
+    @unittest.skipUnless(ENGINE == "lammps", "commands of LAMMPS")
+    def test_engine_never_advances(self):
+        """No step is done once a time limit or a halt in the script has ended its runs."""
+        for number, lines in enumerate(("timer timeout 0:00:00 every 1",
+                                        "variable done equal step\nfix halt all halt 1 v_done >= 5 error soft\nrun 10")):
+            case = make(self.column, f"limit-{number}", 0)
+            edit(case, SCRIPT, "fix gas ", f"{lines}\nfix gas ")
+            self.refused(lines, case, "the particle engine did 0 of the 10 steps", begun=True)
+
     @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
     def test_error_of_the_gas(self):
         """A function object that misses a step stops the second one."""
@@ -71,6 +101,62 @@ class LastState(CoupledTestCase):
         append(case, CONTROL, "functions { observed { enabled false; } } writeControl timeStep; writeInterval 1;")
         case.finish(case.start())
         self.expect_equal("gas: complete in the end", complete(case, 1)[-1], 1e-3)
+
+    def test_error_as_a_state_is_kept(self):
+        """A sphere is outside the mesh when the first state is kept, before the engine makes a list of neighbours."""
+        case = make(self.column, "outside", 150)
+        edit(case, SCRIPT, "timestep ", "neigh_modify delay 20\ntimestep ")
+        self.refused("outside", case, "1 particle is outside the mesh", "Make the mesh as large as the box", begun=True)
+
+    def stopped(self, ranks, number, entries="writeControl runTime;"):
+        """A signal ends the run before a time is written: the next run begins at the state that was kept."""
+        name = f"signal {number}, {ranks} ranks"
+        case = make(self.column, f"signal-{number}-{ranks}", 0)
+        append(case, CONTROL, "endTime 100; writeInterval 100;")
+        if ranks > 1:
+            case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
+            case.run("decomposePar", "-force")
+        process = case.start(ranks=ranks)
+        while process.poll() is None and steps_begun(case) < 20:
+            time.sleep(0.005)
+        process.send_signal(number)
+        process.wait()
+        self.expect_equal(f"{name}: complete times", complete(case, ranks), [])
+        folder = case.folder / "processor0" if ranks > 1 else case.folder
+        kept = re.search(r'name +"(\S+)"', (folder / "kept/uniform/time").read_text())[1]
+        # Written times are counted from the start of the first run.
+        interval = 4e-4
+        expected = [float(kept), *(interval * (math.floor(float(kept) / interval + 1e-6) + k) for k in (1, 2))]
+        append(case, CONTROL, f"endTime {expected[-1]:.8g}; writeInterval {interval}; {entries}")
+        case.finish(case.start(ranks=ranks))
+        log = case.log("cohesiveBedFoam").read_text()
+        assert_says(self, log, f"The last complete state is that of time {kept}")
+        first = re.search(r"\nTime = (\S+)", log)[1]
+        self.expect_near(f"{name}: the first step ends at", float(first), float(kept) + 1e-4, 1e-9)
+        self.expect_equal(f"{name}: complete times", complete(case, ranks), [float(f"{t:.8g}") for t in expected])
+        self.expect_true(f"{name}: nothing is left of what was kept", not (folder / "kept").exists())
+
+    def test_stopped_by_a_signal(self):
+        for ranks in (1, 2):
+            self.stopped(ranks, signal.SIGTERM)
+        self.stopped(1, signal.SIGKILL, "writeControl adjustable; adjustTimeStep yes; maxDeltaT 1e-4;")
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_begun_anew(self):
+        """A run that starts elsewhere leaves what is kept until it has a complete state of its own; with -overwrite that
+        is complete no more."""
+        case = make(self.column, "anew", 0)
+        old = case.folder / "kept/uniform"
+        for options, left in (((), True), (("-overwrite",), False)):
+            old.mkdir(parents=True)
+            (old / "time").write_text('value 50; name "50";\n')
+            (old / "completeState").write_text("engineSteps 500000;\n")
+            append(case, CONTROL, "startFrom startTime; deltaT 1.05e-4;")
+            self.refused(f"before the first step {options}", case, "whole multiple", options=options)
+            self.expect_equal(f"complete, started with {options}", (old / "completeState").exists(), left)
+            append(case, CONTROL, "deltaT 1e-4;")
+            case.solve("-overwrite")
+            self.expect_true("nothing is left after a complete state", not old.parent.exists())
 
     def test_nothing_is_left(self):
         case = make(self.column, "whole", 0)

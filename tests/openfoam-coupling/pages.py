@@ -27,8 +27,10 @@ class Pages(CoupledTestCase):
         logs = [output, *(log.read_text() for log in folder.rglob("log.*"))]
         warnings = [line for log in logs for line in log.splitlines()
                     if line.startswith("WARNING") or "in file openfoam-coupling" in line]
-        if not any("cohesion-powder" in line for line in session.commands()):  # its cases have fewer digits, and say so
-            self.expect_equal("warnings", warnings, [])
+        if any("cohesion-powder" in line for line in session.commands()):
+            # Its grains may leave the range of the drag law.
+            warnings = [line for line in warnings if "dragValidity" not in line]
+        self.expect_equal("warnings", warnings, [])
         said = {" ".join(line.split()) for log in logs for line in log.splitlines()}
         self.expect_equal("lines that nothing printed", [x for x in session.printed() if x not in said], [])
         self.expect_equal("results", page_expected.faults(page_expected.expected(session.page), "\n".join(logs)), [])

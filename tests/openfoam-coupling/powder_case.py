@@ -51,6 +51,7 @@ class PowderCase(CoupledTestCase):
         done = subprocess.run(["./Allrun"], cwd=case, env=environment(BUILD), capture_output=True, text=True)
         self.expect_equal(f"{name}: code of Allrun\n{done.stdout[-2000:]}", done.returncode, 0)
         log = (case / "log.cohesiveBedFoam").read_text()
+        self.expect_true(f"{name}: written with all digits", "fields are written with" not in log)
         self.expect_below(f"{name}: imbalance of momentum [1]",
                           max(line["imbalance"] for line in exchange_lines(log)), 1e-10)
         # The last of the times that are written; Allrun left 0.

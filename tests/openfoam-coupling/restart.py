@@ -32,6 +32,9 @@ class Restart(CoupledTestCase):
             done = complete(case, ranks)
             self.expect_true(f"{ranks} ranks: killed after {steps} steps from {done[-1] if done else 0}",
                              kill_after(case, steps, ranks))
+            # A time that was written is met exactly; what was kept between two times is not (last_state.py).
+            for kept in (case.folder / "kept", *case.folder.glob("processor*/kept")):
+                shutil.rmtree(kept, ignore_errors=True)
         done = complete(case, ranks)
         self.expect_true(f"{ranks} ranks: something is kept: {done}", len(done) > 0)
         case.finish(case.start(ranks=ranks))

@@ -2,7 +2,6 @@
 #include "completeState.H"
 
 #include "IFstream.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
@@ -11,6 +10,7 @@
 #include "dictionary.H"
 
 #include "coupling/fromFirstRank.H"
+#include "keptState.H"
 
 #include <algorithm>
 #include <string>
@@ -18,11 +18,9 @@
 namespace
 {
 
-const char* const mark_ = "uniform/completeState";
-
 Foam::fileName markOf(const Foam::fileName& path, const Foam::instant& when)
 {
-    return path/when.name()/mark_;
+    return path/when.name()/Foam::completeState::marker;
 }
 
 //- The time folders after a time in the folder `path` of the case, or of the rank, the earliest first
@@ -150,6 +148,7 @@ void Foam::completeState::setAsideIncomplete(const argList& args)
     {
         return;
     }
+    keptState::restore(args.path(), completeTimes(args.path()));
     const DynamicList<instant> complete(completeTimes(args.path()));
     const DynamicList<instant> initial(initialTimes(args.path()));
     const instant last =
@@ -164,7 +163,7 @@ void Foam::completeState::setAsideIncomplete(const argList& args)
     {
         FatalErrorInFunction
             << "the case " << args.globalPath() << " has time folders after " << last.name() << ", " << folders
-            << " of them, but none with '" << mark_ << "': no time that a run could be continued from"
+            << " of them, but none with '" << marker << "': no time that a run could be continued from"
             << nl
             << "    Remove them (Allclean), run in a copy of the case, or give the option -overwrite:"
             << " they are then renamed to incomplete-<time>, and the run starts at " << last.name()
@@ -228,7 +227,7 @@ void Foam::completeState::requireCompleteStart(const Time& time)
     fromFirstRank(folder);
     FatalErrorInFunction
         << "the run would start at time " << time.timeName() << ", where "
-        << (folder ? "'" + std::string(mark_) + "' is missing: that time has no complete state of gas and particles"
+        << (folder ? "'" + std::string(marker) + "' is missing: that time has no complete state of gas and particles"
             : std::string("no folder of that name is")).c_str() << nl;
     if (names.size())
     {
@@ -307,84 +306,8 @@ void Foam::completeState::unmarkLaterTimes(const Time& time)
         {
             rm(markOf(time.path(), when));
         }
+        rm(keptState::folderIn(time.path())/marker);
     }
     // No rank writes a time that still has its mark.
     returnReduce(label(0), sumOp<label>());
-}
-
-
-Foam::fileName Foam::completeState::restartFile(const Time& time)
-{
-    fileName file(time.timePath()/"uniform/particles.restart");
-    fromFirstRank(file);
-    return file;
-}
-
-
-Foam::fileName Foam::completeState::engineFile(const Time& time)
-{
-    fileName file(time.path()/"particles.restart");
-    fromFirstRank(file);
-    return file;
-}
-
-
-bool Foam::completeState::writeFields(const Time& time)
-{
-    const objectRegistry& registry = time;
-    return
-        time.writeTimeDict()
-#if OPENFOAM >= 2012
-     && registry.objectRegistry::writeObject(time.writeStreamOption(), true);
-#else
-     && registry.objectRegistry::writeObject
-        (
-            time.writeFormat(), IOstream::currentVersion, time.writeCompression(), true
-        );
-#endif
-}
-
-
-void Foam::completeState::mark(const Time& time, const int64_t engineSteps, const bool written)
-{
-    const fileName from(engineFile(time));
-    const fileName to(restartFile(time));
-    // This waits for all ranks.
-    bool complete = returnReduce(written, andOp<bool>());
-    if (complete && Pstream::master())
-    {
-        const fileName marked(markOf(time.path(), instant(time.value(), time.timeName())));
-        const fileName part(marked + ".part");
-        mkDir(marked.path());
-        complete = mv(from, to);
-        {
-            OFstream file(part);
-            file.writeEntry("engineSteps", engineSteps);
-            file.flush();
-            complete = complete && file.good();
-        }
-        complete = complete && mv(part, marked);
-    }
-    if (!returnReduce(complete, andOp<bool>()))
-    {
-        FatalErrorInFunction
-            << "time " << time.timeName() << " could not be written in full and stays without '"
-            << mark_ << "'" << nl
-            << "    See whether the disk is full and the case's folder can be written to; 'startFrom"
-            << " latestTime;' in system/controlDict then continues from the last complete time"
-            << exit(FatalError);
-    }
-}
-
-
-int64_t Foam::completeState::engineSteps(const Time& time)
-{
-    int64_t steps = 0;
-    if (Pstream::master())
-    {
-        IFstream file(time.timePath()/mark_);
-        steps = dictionary(file).get<int64_t>("engineSteps");
-    }
-    fromFirstRank(steps);
-    return steps;
 }

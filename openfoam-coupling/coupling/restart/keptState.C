@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "keptState.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
+#include "dictionary.H"
 #include "fileOperation.H"
 
 #include "coupling/fromFirstRank.H"
+#include "completeState.H"
 
 #include <cstdio>
 
@@ -18,13 +22,46 @@ constexpr Foam::scalar share = 0.01;
 
 const char* const folder = "kept";
 
-//- Removes a folder if it is there: OpenFOAM warns of one that is not.
+//- Removes a folder if it is there: OpenFOAM warns of one that is not. What is left of it after a kill is not complete.
 void remove(const Foam::fileName& path)
 {
     if (Foam::isDir(path))
     {
+        Foam::rm(path/Foam::completeState::marker);
         Foam::rmDir(path);
     }
+}
+
+//- The time of the state that is kept in a folder, without a name where there is none
+Foam::instant timeOf(const Foam::fileName& kept)
+{
+    const Foam::fileName time(kept/"uniform/time");
+    if (!Foam::isFile(time))
+    {
+        return Foam::instant(-Foam::GREAT, "");
+    }
+    Foam::IFstream file(time);
+    const Foam::dictionary entries(file);
+    return Foam::instant(entries.get<Foam::scalar>("value"), entries.get<Foam::word>("name"));
+}
+
+//- The latest time of those that the ranks keep, without a name where there is none. Ranks differ where a run was killed
+//  as it renamed the folders.
+Foam::instant latestOfRanks(const Foam::instant& mine)
+{
+    Foam::List<Foam::instant> all(Foam::Pstream::nProcs());
+    all[Foam::Pstream::myProcNo()] = mine;
+    Foam::Pstream::gatherList(all);
+    Foam::instant latest(mine);
+    for (const Foam::instant& one : all)
+    {
+        if (one.value() > latest.value())
+        {
+            latest = one;
+        }
+    }
+    Foam::fromFirstRank(latest);
+    return latest;
 }
 
 } // End anonymous namespace
@@ -35,8 +72,44 @@ Foam::keptState::keptState(const Time& time)
     time_(time),
     // Each rank must have a folder of its own.
     possible_(fileHandler().type() == "uncollated")
+{}
+
+
+Foam::fileName Foam::keptState::folderIn(const fileName& path)
 {
-    remove(time_.path()/folder);
+    return path/folder;
+}
+
+
+void Foam::keptState::restore(const fileName& path, const UList<instant>& complete)
+{
+    const fileName kept(folderIn(path));
+    const instant mine(timeOf(kept));
+    const instant latest(latestOfRanks(mine));
+    if (latest.name().empty() || (complete.size() && complete.last().value() > latest.value()))
+    {
+        return;
+    }
+    const fileName time(path/latest.name());
+    const bool isKept = mine.name() == latest.name();
+    bool whole = isKept ? !exists(time) : isDir(time);
+    if (Pstream::master())
+    {
+        whole = whole && isFile((isKept ? kept : time)/completeState::marker);
+    }
+    if (!returnReduce(whole, andOp<bool>()))
+    {
+        return;
+    }
+    if (isKept && std::rename(kept.c_str(), time.c_str()) != 0)
+    {
+        FatalErrorInFunction
+            << "cannot rename " << kept << ", the last complete state, to " << time << exit(FatalError);
+    }
+    // No rank goes on before all have the time.
+    returnReduce(label(0), sumOp<label>());
+    Info<< "The last complete state is that of time " << latest.name() << ", which an earlier run had in the folder '"
+        << folder << "': the run continues from it" << nl << endl;
 }
 
 
@@ -65,7 +138,15 @@ bool Foam::keptState::due() const
 void Foam::keptState::keep(const std::function<void()>& write)
 {
     const clockTime timer;
-    write();
+    try
+    {
+        write();
+    }
+    catch (...)
+    {
+        remove(time_.timePath());
+        throw;
+    }
     const fileName kept(time_.path()/folder);
     remove(kept);
     std::rename(time_.timePath().c_str(), kept.c_str());
@@ -77,12 +158,18 @@ void Foam::keptState::keep(const std::function<void()>& write)
 
 void Foam::keptState::drop()
 {
+    remove(time_.path()/folder);
+    name_.clear();
+    since_ = clockTime();
+}
+
+
+void Foam::keptState::end()
+{
     if (name_.size())
     {
-        remove(time_.path()/folder);
-        name_.clear();
+        drop();
     }
-    since_ = clockTime();
 }
 
 

@@ -17,6 +17,11 @@ int cohesion_dem_engine_interface() { return cohesion::coupling::dem_engine_inte
 /// LAMMPS as particle engine; the script loads the package's plugin.
 cohesion::coupling::DemEngine* cohesion_make_dem_engine(
     const cohesion::coupling::DemEngineSettings& settings) {
-  return new cohesion::coupling::LammpsFamilyEngine(settings, {"LAMMPS", "yes", "no", write_state});
+  return new cohesion::coupling::LammpsFamilyEngine(
+      settings, {"LAMMPS", "yes", "no",
+                 "Typical causes are 'fix halt' with 'error soft' or 'error continue', and 'timer "
+                 "timeout': remove them from the script; 'endTime' and 'stopAt' in "
+                 "system/controlDict end the run.",
+                 write_state});
 }
 }

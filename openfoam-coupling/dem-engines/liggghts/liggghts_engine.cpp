@@ -24,6 +24,8 @@ int cohesion_dem_engine_interface() { return cohesion::coupling::dem_engine_inte
 /// numbers only.
 cohesion::coupling::DemEngine* cohesion_make_dem_engine(
     const cohesion::coupling::DemEngineSettings& settings) {
-  return new cohesion::coupling::LammpsFamilyEngine(settings, {"LIGGGHTS", "1", "0", write_state});
+  return new cohesion::coupling::LammpsFamilyEngine(
+      settings,
+      {"LIGGGHTS", "1", "0", "LIGGGHTS ends a run early when a signal asks it to.", write_state});
 }
 }
