@@ -193,7 +193,7 @@ void PairGranCohesive<Cohesion>::hold(int i, int j, int& has_history, double* va
   ContactState::restore_signs(values);
   const ContactState held = ContactState::stored(values).hold();
   held.store(values);
-  has_history = held.in_range();
+  has_history = held.phase != ContactState::outside;
 }
 
 /// Adds energy and virial of a pair; the impulse acts on j.

@@ -73,7 +73,10 @@ struct ContactState {
   /// Whether what moves the contact is to be seen from its position alone, where it is in range.
   bool is_new() const { return phase == unknown || phase == held; }
   /// After a step in which nothing could move either of the two.
-  ContactState hold() const { return {in_range() ? held : outside}; }
+  ContactState hold() const {
+    if (phase == unknown) return *this;
+    return {in_range() ? held : outside};
+  }
   /// Whether the pair was in contact throughout the last step.
   bool in_contact() const { return is_persistent() || phase == touching; }
   bool is_persistent() const { return phase == persistent || phase == taut; }
