@@ -9,6 +9,7 @@ from cohesion_tests.coupling.dictionaries import FILE
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
 SOLUTION, SCHEMES, CONTROL = "system/fvSolution", "system/fvSchemes", "system/controlDict"
+GAS = "constant/transportProperties"
 
 
 def turbulence(case, text):
@@ -23,9 +24,12 @@ def observe(case, entries):
 CASES = {
     "viscosity that turbulence cannot have": (
         lambda c: turbulence(c, "simulationType laminar;"), ["transportModel is missing", "it must be Newtonian"]),
+    "viscosity that depends on the shear rate": (
+        lambda c: append(c, GAS, "transportModel CrossPowerLaw; CrossPowerLawCoeffs { nu0 1e-3; m 1; }"),
+        ["transportModel is CrossPowerLaw; it must be Newtonian", "transportProperties"]),
     "turbulence model that there is not": (
         lambda c: (turbulence(c, "simulationType RAS; RAS { RASModel kEpsillon; turbulence on; }"),
-                   append(c, "constant/transportProperties", "transportModel Newtonian;")), ["kEpsillon"]),
+                   append(c, GAS, "transportModel Newtonian;")), ["kEpsillon"]),
     "pressure that is not solved": (
         lambda c: append(c, SOLUTION, "PIMPLE { nCorrectors 0; }"),
         ["nCorrectors = 0: the pressure would not be solved", "at least 1", "fvSolution"]),
