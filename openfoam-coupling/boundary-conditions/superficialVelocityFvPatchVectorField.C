@@ -76,6 +76,18 @@ Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorFie
 {}
 
 
+void Foam::superficialVelocityFvPatchVectorField::requireVoidFraction() const
+{
+    if (!db().foundObject<volScalarField>(voidFractionName_))
+    {
+        FatalErrorInFunction
+            << "patch " << patch().name() << " of " << internalField().objectPath().c_str() << ": voidFraction is "
+            << voidFractionName_ << ", and there is no field of that name" << nl
+            << "    Remove the entry: the field of cohesiveBedFoam is called voidFraction" << exit(FatalError);
+    }
+}
+
+
 void Foam::superficialVelocityFvPatchVectorField::updateCoeffs()
 {
     if (updated())

@@ -143,6 +143,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         voidFraction_.primitiveFieldRef() = 1;
         voidFraction_.correctBoundaryConditions();
     }
+    requireShareOfVolume(voidFraction_);
 }
 
 

@@ -16,6 +16,11 @@ def turbulence(case, text):
     (case.folder / "constant/turbulenceProperties").write_text(FILE.format("dictionary", "turbulenceProperties") + text)
 
 
+def end_of_patch(case, file, patch, condition):
+    """Another condition on a patch of the field 0/file."""
+    append(case, f"0/{file}", f"boundaryField {{ {patch} {{ {condition} }} }}")
+
+
 def observe(case, entries):
     append(case, CONTROL, f"functions {{ observed {{ libs (cohesionFunctionObjects); {entries} }} }}")
 
@@ -30,6 +35,26 @@ CASES = {
     "turbulence model that there is not": (
         lambda c: (turbulence(c, "simulationType RAS; RAS { RASModel kEpsillon; turbulence on; }"),
                    append(c, GAS, "transportModel Newtonian;")), ["kEpsillon"]),
+    "pressure beside a given velocity": (
+        lambda c: end_of_patch(c, "p", "bottom", "type fixedValue; value uniform 0;"),
+        ["patch bottom: the file p gives the pressure, by type fixedValue, and the file U the flux, by type"
+         " superficialVelocity", "'type fixedFluxPressure; value uniform 0;'", "'type pressureInletOutletVelocity;"]),
+    "pressure on a wall": (
+        lambda c: end_of_patch(c, "p", "sides", "type fixedValue; value uniform 0;"),
+        ["patch sides: the file p gives the pressure, by type fixedValue, and the file U the flux, by type slip"]),
+    "total pressure at a wall that holds the gas": (
+        lambda c: (end_of_patch(c, "p", "sides", "type totalPressure; p0 uniform 0; value uniform 0;"),
+                   end_of_patch(c, "U", "sides", "type noSlip;")),
+        ["by type totalPressure", "by type noSlip"]),
+    "inlet full of solid": (
+        lambda c: end_of_patch(c, "voidFraction", "bottom", "type fixedValue; value uniform 0;"),
+        ["patch bottom: the void fraction is 0, by type fixedValue", "above 0 and at most 1", "'type zeroGradient;'"]),
+    "inlet with more than all": (
+        lambda c: end_of_patch(c, "voidFraction", "top", "type fixedValue; value uniform 1.2;"),
+        ["patch top: the void fraction is 1.2, by type fixedValue"]),
+    "void fraction of another name": (
+        lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);", "superficialVelocity (0 0 0); voidFraction alpha;"),
+        ["patch bottom of ", "voidFraction is alpha, and there is no field of that name", "Remove the entry"]),
     "pressure that is not solved": (
         lambda c: append(c, SOLUTION, "PIMPLE { nCorrectors 0; }"),
         ["nCorrectors = 0: the pressure would not be solved", "at least 1", "fvSolution"]),
