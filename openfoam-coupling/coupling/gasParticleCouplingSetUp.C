@@ -132,6 +132,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
             << "    Remove the entry, or take another drag" << exit(FatalIOError);
     }
     requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
+    if (!(minVoidFraction_ < 1))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "minVoidFraction = " << minVoidFraction_ << ": must be below 1, the void fraction of a cell without"
+            << " particles; 0.2 is usual" << exit(FatalIOError);
+    }
     requirePatches(mesh_, dict_);
     setDepthRatio();
     asksForSameGravity(dict_);

@@ -50,6 +50,7 @@ int main(int argc, char* argv[])
     #include "setRootCase.H"
     Info<< "Cohesion " COHESION_VERSION << nl;
     requireParallel();
+    requireTimes(args);
     completeState::setAsideIncomplete(args);
     #include "createTime.H"
     completeState::prepareStart(runTime, args.found("overwrite"));
@@ -60,6 +61,10 @@ int main(int argc, char* argv[])
 
     #include "readGas.H"
     #include "createCoupling.H"
+    if (!hasTimeLeft(runTime, coupling.continued()))
+    {
+        return 0;
+    }
     #include "createFlow.H"
 
     // The particle script may settle for minutes: what can be wrong without it is looked for before.

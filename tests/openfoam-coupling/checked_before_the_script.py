@@ -4,7 +4,7 @@ runs."""
 
 import unittest
 
-from cohesion_tests.coupling.cases import append, edit
+from cohesion_tests.coupling.cases import COUPLING, append, edit
 from cohesion_tests.coupling.dictionaries import FILE
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
@@ -55,6 +55,23 @@ CASES = {
     "void fraction of another name": (
         lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);", "superficialVelocity (0 0 0); voidFraction alpha;"),
         ["patch bottom of ", "voidFraction is alpha, and there is no field of that name", "Remove the entry"]),
+    "limit above the void fraction of an empty cell": (
+        lambda c: append(c, COUPLING, "minVoidFraction 1.5;"),
+        ["minVoidFraction = 1.5: must be below 1", "couplingProperties"]),
+    "no gas step": (
+        lambda c: append(c, CONTROL, "deltaT 0;"),
+        ["deltaT = 0: must be a finite number greater than zero", "controlDict"]),
+    "gas step backwards": (
+        lambda c: append(c, CONTROL, "deltaT -1e-4;"),
+        ["deltaT = -0.0001: must be a finite number greater than zero", "controlDict"]),
+    "written all the time": (
+        lambda c: append(c, CONTROL, "writeInterval 0;"),
+        ["writeInterval = 0: must be a finite number greater than zero", "controlDict"]),
+    "end at the start": (
+        lambda c: append(c, CONTROL, "endTime 0;"),
+        ["endTime = 0 s is not after the start at 0 s: no step would be computed", "deltaT = 0.0001 s", "controlDict"]),
+    "end before the start": (
+        lambda c: append(c, CONTROL, "endTime -1;"), ["endTime = -1 s is not after the start at 0 s"]),
     "pressure that is not solved": (
         lambda c: append(c, SOLUTION, "PIMPLE { nCorrectors 0; }"),
         ["nCorrectors = 0: the pressure would not be solved", "at least 1", "fvSolution"]),
@@ -103,6 +120,18 @@ class CheckedBeforeTheScript(CoupledTestCase):
             log = self.refused(name, case, *parts)
             self.expect_equal(f"{name}: scripts that were run", log.count("Particle engine lammps runs"), 0)
             self.expect_true(f"{name}: no log of the engine", not (case.folder / "log.lammps").exists())
+
+    def test_nothing_left_to_compute(self):
+        case = self.column("done")
+        case.mesh()
+        append(case, CONTROL, "endTime 1e-4; writeInterval 1e-4;")
+        case.solve()
+        (case.folder / "log.lammps").unlink()
+        append(case, CONTROL, "startFrom latestTime;")
+        log = case.solve()
+        self.expect_equal("steps", log.count("\nTime = "), 0)
+        self.expect_true("message", "The case has reached endTime = 0.0001 s: there is nothing left to compute" in log)
+        self.expect_true("no log of the engine", not list(case.folder.glob("log.lammps*")))
 
 
 if __name__ == "__main__":
