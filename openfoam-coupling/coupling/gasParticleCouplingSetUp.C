@@ -270,7 +270,8 @@ void Foam::gasParticleCoupling::requireEngine()
 {
     try
     {
-        engineOfCase();
+        const EngineOfCase engine(engineOfCase());
+        checkScript(dict_.subDict(engine.name + "Coeffs"), engine.settings);
     }
     catch (const std::exception& error)
     {

@@ -117,6 +117,39 @@ class CaseWarnings(CoupledTestCase):
         log = self.spheres("slow", control="deltaT 2e-3; endTime 8e-3; writeInterval 8e-3;", **fast)
         self.quiet("0.7 cells", log, said)
 
+    def edited(self, name, *edits, control="endTime 1e-4;"):
+        """The log of a step of the column with texts of its files replaced: (file, old, new)."""
+        case = self.column(name)
+        append(case, "system/controlDict", control)
+        for file, old, new in edits:
+            if old:
+                edit(case, file, old, new)
+            else:
+                (case.folder / file).write_text(new)
+        case.mesh()
+        return case.solve()
+
+    def test_particles_without_contacts(self):
+        said = "particles do not touch, and fall through each other"
+        contacts = ("particles.lmp", "pair_style   gran/hooke/history 100 NULL 0 NULL 0 0\npair_coeff   * *\n", "")
+        log = self.edited("contactless", contacts)
+        self.warned("no pair style", log, said, "particles.lmp has no pair_style", "particles that never meet need none",
+                    "couplingProperties")
+        self.expect_true("before the particle script", log.index(said) < log.index("Particle engine lammps"))
+        self.quiet("a pair style", self.edited("contacts"), said)
+        included = self.edited("included", (*contacts[:2], "include contacts.lmp\n"), ("contacts.lmp", "", contacts[1]))
+        self.quiet("in a file that is included", included, said)
+
+    def test_variables_that_the_script_does_not_use(self):
+        said = "does not use the variable"
+        log = self.edited("unused", (COUPLING, "dt      1e-5;", "dt 1e-5; plugins none;"))
+        self.warned("one", log, said, "'plugins' (the nearest that it uses is 'plugin')", "couplingProperties")
+        self.expect_true("before the particle script", log.index(said) < log.index("Particle engine lammps"))
+        self.quiet("none", self.edited("used"), said)
+        used = self.edited("condition", (COUPLING, "dt      1e-5;", "dt 1e-5; A 0; extra no;"),
+                           ("particles.lmp", "units ", 'if "$A > 0" then "print ${extra}"\nunits '))
+        self.quiet("in a condition and in quotes", used, said)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -58,6 +58,11 @@ CASES = {
     "limit above the void fraction of an empty cell": (
         lambda c: append(c, COUPLING, "minVoidFraction 1.5;"),
         ["minVoidFraction = 1.5: must be below 1", "couplingProperties"]),
+    "script in other units": (
+        lambda c: edit(c, "particles.lmp", "units        si", "units        cgs"),
+        ["particles.lmp has units cgs", "use 'units si'", "couplingProperties"]),
+    "script without units": (
+        lambda c: edit(c, "particles.lmp", "units        si", ""), ["particles.lmp has units lj", "use 'units si'"]),
     "no gas step": (
         lambda c: append(c, CONTROL, "deltaT 0;"),
         ["deltaT = 0: must be a finite number greater than zero", "controlDict"]),

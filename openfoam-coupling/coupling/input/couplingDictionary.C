@@ -9,21 +9,21 @@
 #include "nearest_name.h"
 
 #include "coupling/fromFirstRank.H"
+#include "coupling/input/knownEntries.H"
 #include "dem-engines/load_dem_engine.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
-#include <vector>
 
 namespace
 {
 
-struct Keyword
-{
-    std::string name;
-};
-
-using Keywords = std::vector<Keyword>;
+using Foam::Keyword;
+using Foam::Keywords;
+using Foam::isKnown;
+using Foam::isMisspelt;
+using Foam::list;
 
 //- What the coupling reads, but for the dictionaries of the engines
 const Keywords keywords
@@ -69,24 +69,10 @@ bool isReferenced(const std::string& text, const std::string& name)
 }
 
 
-bool isKnown(const Keywords& table, const std::string& name)
-{
-    return std::any_of(table.begin(), table.end(), [&](const Keyword& word) { return word.name == name; });
-}
-
-
 //- Whether a pattern, "(lammps|liggghts)Coeffs", is for a known word
 bool matches(const Foam::keyType& pattern, const Keywords& table)
 {
     return std::any_of(table.begin(), table.end(), [&](const Keyword& word) { return pattern.match(word.name); });
-}
-
-
-//- Whether a name is off a known one by its case or by one letter, a long one by two. Short words that mean
-//  something else are as near as that: 'step' and 'slip'.
-bool isMisspelt(const std::string& name, const std::string& nearest)
-{
-    return cohesion::letters_apart(name, nearest) <= (nearest.size() < 6 ? 1 : 2);
 }
 
 
@@ -119,22 +105,11 @@ struct UnknownEntries
             if (wrong || here)
             {
                 std::string& names = wrong ? misspelt : unread;
-                names += (names.empty() ? "'" : ", '") + key + "' (the nearest known one is '" + nearest + "')";
+                names += (names.empty() ? "" : ", ") + Foam::unknownEntry(key, nearest);
             }
         }
     }
 };
-
-
-std::string list(const Keywords& table)
-{
-    std::string names;
-    for (const Keyword& word : table)
-    {
-        names += (names.empty() ? "" : ", ") + word.name;
-    }
-    return names;
-}
 
 
 //- FatalIOError where an entry is misspelt; a warning where nothing reads one
