@@ -4,7 +4,7 @@ is meant is not."""
 
 import unittest
 
-from cohesion_tests.coupling.cases import COUPLING, append, edit
+from cohesion_tests.coupling.cases import COUPLING, append, edit, make_periodic
 from cohesion_tests.coupling.dictionaries import FIELD
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.refusals import assert_says
@@ -117,10 +117,12 @@ class CaseWarnings(CoupledTestCase):
         log = self.spheres("slow", control="deltaT 2e-3; endTime 8e-3; writeInterval 8e-3;", **fast)
         self.quiet("0.7 cells", log, said)
 
-    def edited(self, name, *edits, control="endTime 1e-4;"):
+    def edited(self, name, *edits, periodic=False, control="endTime 1e-4;"):
         """The log of a step of the column with texts of its files replaced: (file, old, new)."""
         case = self.column(name)
         append(case, "system/controlDict", control)
+        if periodic:
+            make_periodic(case)
         for file, old, new in edits:
             if old:
                 edit(case, file, old, new)
@@ -149,6 +151,16 @@ class CaseWarnings(CoupledTestCase):
         used = self.edited("condition", (COUPLING, "dt      1e-5;", "dt 1e-5; A 0; extra no;"),
                            ("particles.lmp", "units ", 'if "$A > 0" then "print ${extra}"\nunits '))
         self.quiet("in a condition and in quotes", used, said)
+
+    def test_periodic_box_or_mesh(self):
+        said = "in direction x the box of the particle script is"
+        box = ("particles.lmp", "boundary     f f f", "boundary     p f f")
+        self.warned("the box", self.edited("box", box), f"{said} periodic, and the mesh is not",
+                    "Take 'f' for x in the command boundary", "or cyclic patches")
+        self.warned("the mesh", self.edited("cyclic", periodic=True), f"{said} not periodic, and the mesh is periodic",
+                    "Take 'p' for x in the command boundary", "couplingProperties")
+        self.quiet("both", self.edited("both", box, periodic=True), said)
+        self.quiet("none", self.edited("closed"), said)
 
 
 if __name__ == "__main__":
