@@ -30,6 +30,7 @@ Usage
 #include "requireEuler.H"
 #include "requireGasEntries.H"
 #include "requireParallel.H"
+#include "tryTurbulence.H"
 
 #include "coupling/restart/completeState.H"
 #include "coupling/gasParticleCoupling.H"
@@ -69,6 +70,10 @@ int main(int argc, char* argv[])
 
     // The particle script may settle for minutes: what can be wrong without it is looked for before.
     requireGasEntries(pimple, gas, stress, U, p);
+    if (!coupling.continued())
+    {
+        tryTurbulence(pimple, stress, U);
+    }
     runTime.functionObjects().start();
     if (!coupling.continued())
     {

@@ -5,7 +5,7 @@ runs."""
 import unittest
 
 from cohesion_tests.coupling.cases import COUPLING, append, edit
-from cohesion_tests.coupling.dictionaries import FILE
+from cohesion_tests.coupling.dictionaries import FIELD, FILE
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
 SOLUTION, SCHEMES, CONTROL = "system/fvSolution", "system/fvSchemes", "system/controlDict"
@@ -14,6 +14,33 @@ GAS = "constant/transportProperties"
 
 def turbulence(case, text):
     (case.folder / "constant/turbulenceProperties").write_text(FILE.format("dictionary", "turbulenceProperties") + text)
+
+
+TURBULENCE = "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; }"
+# What the model needs of the files
+TURBULENT_SCHEMES = {
+    "div(((voidFraction*nuEff)*dev2(T(grad(U)))))": "Gauss linear",
+    "div(voidFractionPhi,k)": "Gauss upwind",
+    "div(voidFractionPhi,epsilon)": "Gauss upwind",
+}
+
+
+def turbulent(case, model=TURBULENCE, schemes=TURBULENT_SCHEMES, solvers="k|epsilon"):
+    """The k-epsilon model with these schemes and linear solvers alone."""
+    turbulence(case, model)
+    append(case, GAS, "transportModel Newtonian;")
+    for name, dimensions, value in (("k", "[0 2 -2 0 0 0 0]", 0.01), ("epsilon", "[0 2 -3 0 0 0 0]", 0.1),
+                                    ("nut", "[0 2 -1 0 0 0 0]", 1e-4)):
+        patches = "".join(f"    {patch} {{ type zeroGradient; }}\n" for patch in ("bottom", "top", "sides"))
+        field = FIELD.format("volScalarField", name, dimensions, f"uniform {value}", patches)
+        (case.folder / "0" / name).write_text(field)
+    append(case, SCHEMES, "divSchemes { " + " ".join(f"{name} {scheme};" for name, scheme in schemes.items()) + " }")
+    append(case, SOLUTION, f'solvers {{ "({solvers}).*" {{ solver PBiCGStab; preconditioner DILU; tolerance 1e-8;'
+           ' relTol 0; } }')
+
+
+def without(scheme):
+    return {name: value for name, value in TURBULENT_SCHEMES.items() if name != scheme}
 
 
 def end_of_patch(case, file, patch, condition):
@@ -35,6 +62,17 @@ CASES = {
     "turbulence model that there is not": (
         lambda c: (turbulence(c, "simulationType RAS; RAS { RASModel kEpsillon; turbulence on; }"),
                    append(c, GAS, "transportModel Newtonian;")), ["kEpsillon"]),
+    "stress of turbulence without a scheme": (
+        lambda c: turbulent(c, schemes=without("div(((voidFraction*nuEff)*dev2(T(grad(U)))))")),
+        ["div(((voidFraction*nuEff)*dev2(T(grad(U)))))", "fvSchemes"]),
+    "stress of a laminar model without a scheme": (
+        lambda c: turbulent(c, "simulationType laminar;", schemes={}),
+        ["div(((voidFraction*nuEff)*dev2(T(grad(U)))))", "fvSchemes"]),
+    "equation of turbulence without a scheme": (
+        lambda c: turbulent(c, schemes=without("div(voidFractionPhi,epsilon)")),
+        ["div(voidFractionPhi,epsilon)", "fvSchemes"]),
+    "equation of turbulence without a solver": (
+        lambda c: turbulent(c, solvers="k"), ["epsilonFinal", "fvSolution"]),
     "pressure beside a given velocity": (
         lambda c: end_of_patch(c, "p", "bottom", "type fixedValue; value uniform 0;"),
         ["patch bottom: the file p gives the pressure, by type fixedValue, and the file U the flux, by type"
@@ -125,6 +163,16 @@ class CheckedBeforeTheScript(CoupledTestCase):
             log = self.refused(name, case, *parts)
             self.expect_equal(f"{name}: scripts that were run", log.count("Particle engine lammps runs"), 0)
             self.expect_true(f"{name}: no log of the engine", not (case.folder / "log.lammps").exists())
+
+    def test_turbulence_is_tried_without_a_trace(self):
+        """The fields at the start are those of the files."""
+        case = self.column("turbulent")
+        case.mesh()
+        turbulent(case)
+        append(case, CONTROL, "endTime 1e-4; writeInterval 1e-4;")
+        log = case.solve()
+        self.expect_equal("solved once in the step", log.count("Solving for epsilon"), 1)
+        self.expect_true("in the step", log.index("\nTime = ") < log.index("Solving for epsilon"))
 
     def test_nothing_left_to_compute(self):
         case = self.column("done")
