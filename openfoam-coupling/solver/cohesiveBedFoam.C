@@ -69,6 +69,7 @@ int main(int argc, char* argv[])
     #include "createFlow.H"
 
     // The particle script may settle for minutes: what can be wrong without it is looked for before.
+    warnOfMisspeltEntries(runTime, pimple.dict(), transportProperties);
     requireGasEntries(pimple, gas, stress, U, p);
     if (!coupling.continued())
     {

@@ -162,6 +162,36 @@ class CaseWarnings(CoupledTestCase):
         self.quiet("both", self.edited("both", box, periodic=True), said)
         self.quiet("none", self.edited("closed"), said)
 
+    def test_entries_that_nothing_reads(self):
+        observed = "functions {{ observed {{ libs (cohesionFunctionObjects); {} writeControl timeStep; }} }}"
+        unknown = "unknown entry"
+        functions = {
+            "limitt": ("limit", "type bedHeight; layers 10; limitt 0.5;"),
+            "inlet": ("inlets", "type bedPressureDrop; inlet (bottom);"),
+            "directions": ("direction", "type mixingIndex; cells (3 3 10); directions (0 0 1);"),
+            "intervals": ("interval", "type particleMovement; interval 1e-4; intervals 1;"),
+            "writeIntervall": ("writeInterval", "type forceBudget; writeIntervall 3;"),
+            "timestart": ("timeStart", "type particleFields; timestart 3;"),
+        }
+        for entry, (right, text) in functions.items():
+            log = self.edited(f"function-{entry}", control="endTime 1e-4; " + observed.format(text))
+            self.warned(entry, log, f"unknown entry '{entry}' (the nearest known one is '{right}'): nothing reads it",
+                        "observed")
+        edits = {
+            "shar": ("share", "0.orig/U", "superficialVelocity (0 0 0);", "superficialVelocity (0 0 0); shar 0.5;"),
+            "densty": ("density", "constant/transportProperties", "rho  ", "densty idealGas; rho  "),
+            "nCorrector": ("nCorrectors", "system/fvSolution", "nCorrectors ", "nCorrector 3; nCorrectors "),
+            "adjustTimestep": ("adjustTimeStep", "system/controlDict", "deltaT ", "adjustTimestep yes; deltaT "),
+        }
+        for entry, (right, *what) in edits.items():
+            log = self.edited(f"entry-{entry}", what)
+            self.warned(entry, log, f"unknown entry '{entry}' (the nearest known one is '{right}')")
+            self.expect_true(f"{entry}: before the particle script", log.index(unknown) < log.index("Particle engine"))
+        known = "superficialVelocity sine; frequency 1; amplitude 0; scale (0 0 0); level (0 0 0); share 1;"
+        log = self.edited("known", ("0.orig/U", "superficialVelocity (0 0 0);", known), control="endTime 1e-4; maxDi 1; "
+                          + observed.format("type bedHeight; layers 10; limit 0.5; timeStart 0; log no; enabled yes;"))
+        self.quiet("all that is known", log, unknown)
+
 
 if __name__ == "__main__":
     unittest.main()
