@@ -100,7 +100,8 @@ CASES = {
         lambda c: edit(c, "particles.lmp", "units        si", "units        cgs"),
         ["particles.lmp has units cgs", "use 'units si'", "couplingProperties"]),
     "script without units": (
-        lambda c: edit(c, "particles.lmp", "units        si", ""), ["particles.lmp has units lj", "use 'units si'"]),
+        lambda c: edit(c, "particles.lmp", "units        si", ""),
+        ["particles.lmp has no command units, and then has units lj", "use 'units si'"]),
     "no gas step": (
         lambda c: append(c, CONTROL, "deltaT 0;"),
         ["deltaT = 0: must be a finite number greater than zero", "controlDict"]),

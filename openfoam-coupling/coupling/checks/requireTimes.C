@@ -6,6 +6,7 @@
 #include "argList.H"
 
 #include "coupling/input/readPositive.H"
+#include "coupling/sixDigits.H"
 
 void Foam::requireTimes(const argList& args)
 {
@@ -35,15 +36,16 @@ bool Foam::hasTimeLeft(const Time& time, const bool continued)
     {
         return true;
     }
+    const std::string ends(sixDigits(end));
     if (continued && end > start - 0.5*time.deltaTValue())
     {
-        Info<< "The case has reached endTime = " << end << " s: there is nothing left to compute" << nl
+        Info<< "The case has reached endTime = " << ends.c_str() << " s: there is nothing left to compute" << nl
             << "    A later endTime in system/controlDict continues it" << nl << "End" << nl << endl;
         return false;
     }
     FatalIOErrorInFunction(time.controlDict())
-        << "endTime = " << end << " s is not after the start at " << start << " s: no step would be computed" << nl
-        << "    Give an endTime that is at least one deltaT = " << time.deltaTValue() << " s later, or another start"
-        << exit(FatalIOError);
+        << "endTime = " << ends.c_str() << " s is not after the start at " << sixDigits(start).c_str()
+        << " s: no step would be computed" << nl << "    Give an endTime that is at least one deltaT = "
+        << sixDigits(time.deltaTValue()).c_str() << " s later, or another start" << exit(FatalIOError);
     return false;
 }

@@ -23,7 +23,7 @@ using namespace Foam;
 const Keywords unitStyles{{"lj"}, {"real"}, {"metal"}, {"cgs"}, {"electron"}, {"micro"}, {"nano"}, {"si"}};
 
 
-//- The units of the script, empty where they are SI or cannot be told from the text
+//- The units of the script in words, empty where they are SI or cannot be told from the text
 std::string foreignUnits(const particleScript& script)
 {
     std::string foreign;
@@ -36,7 +36,8 @@ std::string foreignUnits(const particleScript& script)
         foreign = isKnown(unitStyles, style) ? style : foreign;
     }
     // What the engines take by themselves
-    return foreign.empty() && script.all() ? "lj" : foreign;
+    const char* const missing = "no command units, and then has units lj";
+    return foreign.size() ? "units " + foreign : script.all() ? missing : "";
 }
 
 
@@ -95,7 +96,7 @@ void Foam::checkScript(const dictionary& dict, const DemEngineSettings& settings
     if (units.size())
     {
         FatalIOErrorInFunction(dict)
-            << "the particle script " << settings.script.c_str() << " has units " << units.c_str()
+            << "the particle script " << settings.script.c_str() << " has " << units.c_str()
             << "; OpenFOAM works in SI: use 'units si' in the script" << exit(FatalIOError);
     }
     if (unused.size())
