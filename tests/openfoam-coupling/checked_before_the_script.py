@@ -87,6 +87,9 @@ CASES = {
     "inlet full of solid": (
         lambda c: end_of_patch(c, "voidFraction", "bottom", "type fixedValue; value uniform 0;"),
         ["patch bottom: the void fraction is 0, by type fixedValue", "above 0 and at most 1", "'type zeroGradient;'"]),
+    "inlet whose value is that of its file": (
+        lambda c: end_of_patch(c, "voidFraction", "bottom", "type calculated; value uniform 0;"),
+        ["patch bottom: the void fraction is 0, by type calculated"]),
     "inlet with more than all": (
         lambda c: end_of_patch(c, "voidFraction", "top", "type fixedValue; value uniform 1.2;"),
         ["patch top: the void fraction is 1.2, by type fixedValue"]),
@@ -165,15 +168,25 @@ class CheckedBeforeTheScript(CoupledTestCase):
             self.expect_equal(f"{name}: scripts that were run", log.count("Particle engine lammps runs"), 0)
             self.expect_true(f"{name}: no log of the engine", not (case.folder / "log.lammps").exists())
 
+    def test_on_two_ranks(self):
+        for number, name in enumerate(("inlet full of solid", "pressure on a wall", "script in other units", "no gas step",
+                                       "end at the start", "equation of turbulence without a solver")):
+            spoil, parts = CASES[name]
+            case = self.column(f"ranks-{number}")
+            case.mesh()
+            spoil(case)
+            # The rank that is the first to end the run may know the file by another name.
+            self.refused(f"{name}, two ranks", case, parts[0], ranks=2)
+
     def test_turbulence_is_tried_without_a_trace(self):
-        """The fields at the start are those of the files."""
-        case = self.column("turbulent")
-        case.mesh()
-        turbulent(case)
-        append(case, CONTROL, "endTime 1e-4; writeInterval 1e-4;")
-        log = case.solve()
-        self.expect_equal("solved once in the step", log.count("Solving for epsilon"), 1)
-        self.expect_true("in the step", log.index("\nTime = ") < log.index("Solving for epsilon"))
+        for ranks in (1, 2):
+            case = self.column(f"turbulent-{ranks}")
+            case.mesh()
+            turbulent(case)
+            append(case, CONTROL, "endTime 1e-4; writeInterval 1e-4;")
+            log = case.solve(ranks=ranks)
+            self.expect_equal("solved once in the step", log.count("Solving for epsilon"), 1)
+            self.expect_true("in the step", log.index("\nTime = ") < log.index("Solving for epsilon"))
 
     def test_nothing_left_to_compute(self):
         case = self.column("done")

@@ -34,9 +34,14 @@ void Foam::requireShareOfVolume(const volScalarField& voidFraction)
     constexpr scalar tolerance = 1e-9;
     for (const auto& values : voidFraction.boundaryField())
     {
+        // Ranks differ in their coupled patches.
+        if (values.coupled())
+        {
+            continue;
+        }
         const scalar lowest = returnReduce(min(values), minOp<scalar>());
         const scalar highest = returnReduce(max(values), maxOp<scalar>());
-        if (!values.coupled() && values.fixesValue() && !(lowest > 0 && highest <= 1 + tolerance))
+        if (!(lowest > 0 && highest <= 1 + tolerance))
         {
             FatalErrorInFunction
                 << "patch " << values.patch().name() << ": the void fraction is "
