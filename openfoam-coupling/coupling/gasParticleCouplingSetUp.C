@@ -271,7 +271,7 @@ void Foam::gasParticleCoupling::requireEngine()
     try
     {
         const EngineOfCase engine(engineOfCase());
-        checkScript(dict_.subDict(engine.name + "Coeffs"), engine.settings);
+        checkScript(dict_.subDict(engine.name + "Coeffs"), engine.settings, dict_.ownVariables(engine.name));
     }
     catch (const std::exception& error)
     {

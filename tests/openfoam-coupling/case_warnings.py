@@ -151,6 +151,9 @@ class CaseWarnings(CoupledTestCase):
         used = self.edited("condition", (COUPLING, "dt      1e-5;", "dt 1e-5; A 0; extra no;"),
                            ("particles.lmp", "units ", 'if "$A > 0" then "print ${extra}"\nunits '))
         self.quiet("in a condition and in quotes", used, said)
+        shared = self.edited("shared", (COUPLING, "dt      1e-5;", '#include "shared"'),
+                             ("constant/shared", "", "dt 1e-5; width 0.06;"))
+        self.quiet("in a file that is included", shared, said)
 
     def test_periodic_box_or_mesh(self):
         said = "in direction x the box of the particle script is"

@@ -20,9 +20,9 @@ void Foam::requireFreePressure(const volScalarField& p, const volVectorField& U)
                 << "patch " << values.patch().name() << ": the file p gives the pressure, by type " << values.type()
                 << ", and the file U the flux, by type " << velocity.type() << ": the pressure would drive gas through"
                 << " the patch beside that of U" << nl
-                << "    At inlets and walls take 'type fixedFluxPressure; value uniform 0;' in "
-                << p.objectPath().c_str() << "; where the pressure is to be given, 'type pressureInletOutletVelocity; value uniform (0 0 0);' in "
-                << U.objectPath().c_str() << exit(FatalError);
+                << "    At inlets and walls take 'type fixedFluxPressure; value uniform 0;' in the file p; where the"
+                << " pressure is to be given, 'type pressureInletOutletVelocity; value uniform (0 0 0);' in the file U"
+                << exit(FatalError);
         }
     }
 }

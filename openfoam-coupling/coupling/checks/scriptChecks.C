@@ -51,7 +51,7 @@ bool hasContacts(const particleScript& script)
 
 
 //- Variables that the case gives and the script does not use, in words
-std::string unusedVariables(const particleScript& script, const DemEngineSettings& settings)
+std::string unusedVariables(const particleScript& script, const std::set<std::string>& variables)
 {
     std::string unused;
     if (!script.all())
@@ -63,7 +63,7 @@ std::string unusedVariables(const particleScript& script, const DemEngineSetting
     {
         used.push_back({name});
     }
-    for (const auto& [name, value] : settings.variables)
+    for (const std::string& name : variables)
     {
         if (!script.has(name))
         {
@@ -80,7 +80,12 @@ std::string unusedVariables(const particleScript& script, const DemEngineSetting
 } // End anonymous namespace
 
 
-void Foam::checkScript(const dictionary& dict, const DemEngineSettings& settings)
+void Foam::checkScript
+(
+    const dictionary& dict,
+    const DemEngineSettings& settings,
+    const std::set<std::string>& variables
+)
 {
     string units;
     string unused;
@@ -89,7 +94,7 @@ void Foam::checkScript(const dictionary& dict, const DemEngineSettings& settings
     {
         const particleScript script(settings.folder, settings.script, settings.variables);
         units = foreignUnits(script);
-        unused = unusedVariables(script, settings);
+        unused = unusedVariables(script, variables);
         contacts = hasContacts(script);
     }
     fromFirstRank(units);

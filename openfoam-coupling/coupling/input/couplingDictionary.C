@@ -154,16 +154,15 @@ Foam::couplingDictionary::couplingDictionary(const objectRegistry& mesh)
 }
 
 
-void Foam::couplingDictionary::requireKnownEntries() const
+void Foam::couplingDictionary::requireKnownEntries()
 {
     // All ranks call it: some of OpenFOAM's file handlers communicate.
     const fileName file(filePath());
-    dictionary written;
     OStringStream text;
     if (Pstream::master())
     {
-        written = asWritten(file);
-        written.write(text, false);
+        written_ = asWritten(file);
+        written_.write(text, false);
     }
     const auto require = [&](const dictionary& dict, const dictionary& writtenDict, const Keywords& table)
     {
@@ -176,10 +175,30 @@ void Foam::couplingDictionary::requireKnownEntries() const
     {
         all.push_back({std::string(engine.name) + "Coeffs"});
     }
-    require(*this, written, all);
+    require(*this, written_, all);
     for (const auto& engine : cohesion::coupling::dem_engines)
     {
         const word coeffs(std::string(engine.name) + "Coeffs");
-        require(subOrEmptyDict(coeffs), written.subOrEmptyDict(coeffs), engineKeywords);
+        require(subOrEmptyDict(coeffs), written_.subOrEmptyDict(coeffs), engineKeywords);
     }
+}
+
+
+std::set<std::string> Foam::couplingDictionary::ownVariables(const word& engine) const
+{
+    const auto variables = [&](const dictionary& dict)
+    {
+        return dict.subOrEmptyDict(engine + "Coeffs").subOrEmptyDict("variables");
+    };
+    const dictionary carriedOut(variables(*this));
+    std::set<std::string> names;
+    for (const entry& variable : variables(written_))
+    {
+        // Directives are entries of the file alone.
+        if (carriedOut.found(variable.keyword(), keyType::LITERAL))
+        {
+            names.insert(variable.keyword());
+        }
+    }
+    return names;
 }
