@@ -155,6 +155,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
 
 void Foam::gasParticleCoupling::start(Time& time)
 {
+    requireStepOfScript(time);
     makeEngine();
     requireSiUnits();
     requireBoxOfMesh(dict_, mesh_, engine_->box());
@@ -276,6 +277,16 @@ void Foam::gasParticleCoupling::requireEngine()
     catch (const std::exception& error)
     {
         FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::gasParticleCoupling::requireStepOfScript(Time& time)
+{
+    const scalar step = continued_ ? 0 : stepOfScript(engineOfCase().settings);
+    if (step > 0 && !time.controlDict().getOrDefault("adjustTimeStep", false))
+    {
+        const gasStep trial(time, step, continued_);
     }
 }
 

@@ -105,6 +105,9 @@ CASES = {
     "script without units": (
         lambda c: edit(c, "particles.lmp", "units        si", ""),
         ["particles.lmp has no command units, and then has units lj", "use 'units si'"]),
+    "gas step that is no multiple": (
+        lambda c: append(c, CONTROL, "deltaT 1.05e-4;"),
+        ["deltaT = 0.000105", "10.5 steps", "whole multiple", "controlDict"]),
     "no gas step": (
         lambda c: append(c, CONTROL, "deltaT 0;"),
         ["deltaT = 0: must be a finite number greater than zero", "controlDict"]),

@@ -118,3 +118,15 @@ void Foam::checkScript
             << "    Give the contacts by pair_style and pair_coeff; particles that never meet need none" << endl;
     }
 }
+
+
+Foam::scalar Foam::stepOfScript(const DemEngineSettings& settings)
+{
+    scalar step = 0;
+    if (Pstream::master())
+    {
+        step = particleScript(settings.folder, settings.script, settings.variables).number("timestep").value_or(0);
+    }
+    fromFirstRank(step);
+    return step;
+}

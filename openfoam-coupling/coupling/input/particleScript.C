@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -172,6 +173,20 @@ std::vector<std::string> Foam::particleScript::wordsBehind(const std::string& co
         }
     }
     return found;
+}
+
+
+std::optional<double> Foam::particleScript::number(const std::string& command) const
+{
+    const Words found(wordsBehind(command));
+    if (found.size() != 1 || !all_)
+    {
+        return {};
+    }
+    const std::string text(withValues(found[0], given_));
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return end == text.c_str() + text.size() ? std::optional<double>(value) : std::nullopt;
 }
 
 
