@@ -172,8 +172,8 @@ class CheckedBeforeTheScript(CoupledTestCase):
             self.expect_true(f"{name}: no log of the engine", not (case.folder / "log.lammps").exists())
 
     def test_on_two_ranks(self):
-        for number, name in enumerate(("inlet full of solid", "pressure on a wall", "script in other units", "no gas step",
-                                       "end at the start", "equation of turbulence without a solver")):
+        for number, name in enumerate(("inlet full of solid", "pressure on a wall", "script in other units",
+                                       "no gas step", "end at the start", "equation of turbulence without a solver")):
             spoil, parts = CASES[name]
             case = self.column(f"ranks-{number}")
             case.mesh()
