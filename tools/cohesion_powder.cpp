@@ -116,6 +116,15 @@ void print_elastic(const Lines& print, const PowderRequest& r, const Powder& p) 
               << "--surface-energy\n";
 }
 
+/// Where the material itself is pressed more than the overlap that is asked for.
+void print_soft_material(const PowderRequest& r, const Powder& p) {
+  if (r.stiffness > 0.0 || p.impact_overlap() <= 1.01 * r.overlap) return;
+  std::cerr << "cohesion-powder: impacts of " << p.speed
+            << " m/s press grains of this Young's modulus by " << 100.0 * p.impact_overlap()
+            << " % of the diameter, and their springs too: the engine warns above 1 %. Give the "
+            << "Young's modulus of the material, or the --speed of impacts in the run\n";
+}
+
 void print_contact(const Lines& print, const PowderRequest& r, const Powder& p) {
   const Springs& s = p.springs;
   print.heading("Contact of two of the smallest grains");
@@ -125,6 +134,7 @@ void print_contact(const Lines& print, const PowderRequest& r, const Powder& p) 
            hertz_contact_time(r.elastic, p.sizes.smallest(), p.mass(p.sizes.smallest()), p.speed),
            "s"});
   if (p.elastic) return print_elastic(print, r, p);
+  print_soft_material(r, p);
   print({"material_stiffness", "stiffness of the material, linear", s.material.stiffness, "N/m"});
   print({"material_escape", "escape velocity of the material", s.material.escape_velocity, "m/s"});
   print({"stiffness", "stiffness of the springs", s.used.stiffness, "N/m"});
@@ -242,6 +252,21 @@ void require_enough_grains(const PowderRequest& r, const Powder& p, const Powder
               std::to_string(enough) + ": give that or more, or a lower bed");
 }
 
+/// Says how long a long run will take, its particles alone.
+void print_run_time(const tools::PowderCase& written, const tools::PowderVessel& vessel) {
+  // Of pairs in contact, docs/verification/growth_costs.md, and of a step of hardly any
+  constexpr double per_sphere = 2e-7, per_step = 1e-5, long_run = 600.0;
+  const double steps = written.particle_steps(vessel);
+  const double seconds = steps * std::max(per_step, per_sphere * vessel.grains());
+  if (seconds < long_run) return;
+  std::fprintf(
+      stderr,
+      "cohesion-powder: the run has %.2g particle steps of %.2g s: about %.2g h for the "
+      "particles, on one process; a larger --overlap, a smaller --speed, fewer --grains or "
+      "a shorter endTime in system/controlDict shorten it\n",
+      steps, written.steps.particle, seconds / 3600.0);
+}
+
 void write_case(const PowderRequest& r, const Powder& p) {
   const PowderSizes computed = p.computed();
   require_enough_grains(r, p, computed);
@@ -264,6 +289,7 @@ void write_case(const PowderRequest& r, const Powder& p) {
       r.folder.c_str(), r.engine == "liggghts" ? "LIGGGHTS" : "LAMMPS",
       vessel.is_round() ? "column" : "box", vessel.edge(0), vessel.edge(1), vessel.edge(2),
       vessel.grains(), number_of_grains(bed_of(r), p.sizes), p.velocity, r.folder.c_str());
+  print_run_time(written, vessel);
 }
 
 void print_all(PowderRequest& request) {

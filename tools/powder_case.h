@@ -35,6 +35,14 @@ struct PowderCase {
   /// Between two outputs; those of the files, and the end of the run, are multiples.
   static constexpr double output_interval = 0.01;
 
+  /// endTime of powder-case/system/controlDict.
+  static constexpr double run_time = 0.1;
+
+  /// Steps of the particles until the end, those in which they settle included.
+  double particle_steps(const PowderVessel& vessel) const {
+    return (settling_time(vessel) + run_time) / steps.particle;
+  }
+
   /// Throws std::runtime_error where the folder is there and not empty, or cannot be written.
   void write(const std::filesystem::path& folder, const PowderVessel& vessel) const {
     namespace fs = std::filesystem;

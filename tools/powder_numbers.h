@@ -120,7 +120,7 @@ class Powder {
             request_.restitution,
             request_.friction,
             parcels.attraction(hamaker),
-            {parcels.stiffness(springs.material.stiffness), keep_of(request_)},
+            {parcels.stiffness(stiffness_stood_for()), keep_of(request_)},
             well_ratio_of(request_),
             elastic
                 ? ElasticWords{elastic->young, request_.elastic.poisson, request_.elastic.young,
@@ -137,6 +137,13 @@ class Powder {
         request_.is_jkr() ? 2.0 * request_.surface_energy : adhesion.force / (2.0 * pi * radius);
     return advice::tabor_parameter(elastic->material.contact().modulus, radius, work,
                                    atomic_distance);
+  }
+
+  /// Largest overlap of an impact of two of the smallest on linear springs, without loss and
+  /// adhesion, over the diameter.
+  double impact_overlap() const {
+    const double small = sizes.smallest();
+    return speed * std::sqrt(0.5 * mass(small) / springs.used.stiffness) / small;
   }
 
   /// Depth of the well of two grains, and of one at a wall, where the run has wells.
@@ -202,6 +209,13 @@ class Powder {
                              borne(small, mass(small), sphere_and_plane(0.5 * small)),
                              borne(large, mass(large), sphere_and_plane(0.5 * large))},
                             demand);
+  }
+
+  /// Springs stiffer than the material has for slow impacts stand for none but themselves. A well
+  /// has its depth from the material in any case.
+  double stiffness_stood_for() const {
+    const double material = springs.material.stiffness;
+    return well_ratio_of(request_) > 0.0 ? material : std::max(material, springs.used.stiffness);
   }
 
   double steps_of_contact() const {

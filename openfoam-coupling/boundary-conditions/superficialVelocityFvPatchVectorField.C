@@ -5,6 +5,36 @@
 #include "fvPatchFieldMapper.H"
 #include "volFields.H"
 
+#include "coupling/input/knownEntries.H"
+
+namespace
+{
+
+const Foam::Keywords words
+{
+    {"superficialVelocity"}, {"share"}, {"voidFraction"}, {"value"}, {"type"}, {"patchType"},
+    {"superficialVelocityCoeffs"}
+};
+
+
+//- Warns of entries that nothing reads. A function of time may have its entries beside its name.
+void warnOfUnknown(const Foam::dictionary& dict)
+{
+    const bool apart = dict.isDict("superficialVelocity");
+    const bool named = !apart && dict.lookup("superficialVelocity")[0].isWord();
+    if (!named)
+    {
+        warnOfUnknownEntries(dict, words);
+    }
+    else
+    {
+        warnOfMisspeltEntries(dict, words);
+    }
+}
+
+} // End anonymous namespace
+
+
 Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorField
 (
     const fvPatch& patch,
@@ -35,6 +65,7 @@ Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorFie
             << "share = " << share_ << ": must lie above 0 and be at most 1"
             << exit(FatalIOError);
     }
+    warnOfUnknown(dict);
     // The void fraction is not known yet; the first step sets the value. One that has been written is taken for a
     // gradient before that.
     if (dict.found("value"))
@@ -74,6 +105,18 @@ Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorFie
     share_(other.share_),
     voidFractionName_(other.voidFractionName_)
 {}
+
+
+void Foam::superficialVelocityFvPatchVectorField::requireVoidFraction() const
+{
+    if (!db().foundObject<volScalarField>(voidFractionName_))
+    {
+        FatalErrorInFunction
+            << "patch " << patch().name() << " of " << internalField().objectPath().c_str() << ": voidFraction is "
+            << voidFractionName_ << ", and there is no field of that name" << nl
+            << "    Remove the entry: the field of cohesiveBedFoam is called voidFraction" << exit(FatalError);
+    }
+}
 
 
 void Foam::superficialVelocityFvPatchVectorField::updateCoeffs()

@@ -132,6 +132,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
             << "    Remove the entry, or take another drag" << exit(FatalIOError);
     }
     requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
+    if (!(minVoidFraction_ < 1))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "minVoidFraction = " << minVoidFraction_ << ": must be below 1, the void fraction of a cell without"
+            << " particles; 0.2 is usual" << exit(FatalIOError);
+    }
     requirePatches(mesh_, dict_);
     setDepthRatio();
     asksForSameGravity(dict_);
@@ -143,11 +149,13 @@ Foam::gasParticleCoupling::gasParticleCoupling
         voidFraction_.primitiveFieldRef() = 1;
         voidFraction_.correctBoundaryConditions();
     }
+    requireShareOfVolume(voidFraction_);
 }
 
 
 void Foam::gasParticleCoupling::start(coupledTime& time)
 {
+    requireStepOfScript(time);
     makeEngine();
     requireSiUnits();
     requireBoxOfMesh(dict_, mesh_, engine_->box());
@@ -263,11 +271,22 @@ void Foam::gasParticleCoupling::requireEngine()
 {
     try
     {
-        engineOfCase();
+        const EngineOfCase engine(engineOfCase());
+        checkScript(dict_.subDict(engine.name + "Coeffs"), engine.settings, dict_.ownVariables(engine.name));
     }
     catch (const std::exception& error)
     {
         FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::gasParticleCoupling::requireStepOfScript(coupledTime& time)
+{
+    const scalar step = continued_ ? 0 : stepOfScript(engineOfCase().settings);
+    if (step > 0 && !time.controlDict().getOrDefault("adjustTimeStep", false))
+    {
+        const gasStep trial(time, step, continued_);
     }
 }
 

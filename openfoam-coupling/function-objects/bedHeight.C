@@ -54,6 +54,7 @@ Foam::functionObjects::bedHeight::bedHeight
 bool Foam::functionObjects::bedHeight::read(const dictionary& dict)
 {
     particleFunctionObject::read(dict);
+    warnOfUnknown(dict, {{"layers"}, {"limit"}, {"restHeight"}, {"direction"}});
     up_ = readDirection(dict);
     layers_ = dict.get<label>("layers");
     limit_ = dict.getOrDefault<scalar>("limit", 0.75);

@@ -49,6 +49,7 @@ Foam::functionObjects::bedPressureDrop::bedPressureDrop
 bool Foam::functionObjects::bedPressureDrop::read(const dictionary& dict)
 {
     particleFunctionObject::read(dict);
+    warnOfUnknown(dict, {{"inlets"}, {"direction"}});
     if (!present())
     {
         return true;

@@ -35,6 +35,7 @@ Foam::functionObjects::forceBudget::forceBudget
     lastStep_(0)
 {
     read(dict);
+    warnOfUnknown(dict, {});
     writeCommented(file(), "Time");
     writeTabbed(file(), "over [s]");
     for (const char* force : {"gravity", "drag", "pressure", "others", "gain"})

@@ -46,6 +46,7 @@ Foam::functionObjects::mixingIndex::mixingIndex
 bool Foam::functionObjects::mixingIndex::read(const dictionary& dict)
 {
     particleFunctionObject::read(dict);
+    warnOfUnknown(dict, {{"cells"}, {"layers"}, {"direction"}});
     up_ = readDirection(dict);
     cells_ = dict.get<Vector<label>>("cells");
     layers_ = dict.getOrDefault<label>("layers", 2);

@@ -59,6 +59,7 @@ Foam::functionObjects::particleFields::particleFields
     diameter_(zeroField<scalar>("particleDiameter", mesh_, dimLength))
 {
     read(dict);
+    warnOfUnknown(dict, {});
     active();
 }
 

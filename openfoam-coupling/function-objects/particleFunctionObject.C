@@ -4,6 +4,20 @@
 #include "Time.H"
 #include "fvMesh.H"
 
+namespace
+{
+
+//- What OpenFOAM reads of any function object, and of one that writes a file
+const Foam::Keywords ofAll
+{
+    {"type"}, {"libs"}, {"functionObjectLibs"}, {"region"}, {"enabled"}, {"log"}, {"errors"}, {"timeStart"},
+    {"timeEnd"}, {"executeControl"}, {"executeInterval"}, {"writeControl"}, {"writeInterval"}, {"outputControl"},
+    {"outputInterval"}, {"controlMode"}, {"triggerStart"}, {"triggerEnd"}, {"deltaTCoeff"}, {"nStepsToStartTimeChange"},
+    {"writePrecision"}, {"writeToFile"}, {"useUserTime"}, {"useNamePrefix"}, {"updateHeader"}
+};
+
+} // End anonymous namespace
+
 
 Foam::functionObjects::particleFunctionObject::particleFunctionObject
 (
@@ -49,6 +63,14 @@ Foam::vector Foam::functionObjects::particleFunctionObject::readDirection(const 
             << exit(FatalIOError);
     }
     return direction/mag(direction);
+}
+
+
+void Foam::functionObjects::particleFunctionObject::warnOfUnknown(const dictionary& dict, const Keywords& own)
+{
+    Keywords words(own);
+    words.insert(words.end(), ofAll.begin(), ofAll.end());
+    warnOfUnknownEntries(dict, words);
 }
 
 

@@ -45,6 +45,7 @@ Foam::functionObjects::particleMovement::particleMovement
 bool Foam::functionObjects::particleMovement::read(const dictionary& dict)
 {
     particleFunctionObject::read(dict);
+    warnOfUnknown(dict, {{"interval"}});
     interval_ = readPositive(dict, "interval");
     return true;
 }

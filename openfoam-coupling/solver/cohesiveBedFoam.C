@@ -30,6 +30,7 @@ Usage
 #include "requireEuler.H"
 #include "requireGasEntries.H"
 #include "requireParallel.H"
+#include "tryTurbulence.H"
 
 #include "coupling/restart/completeState.H"
 #include "coupling/restart/coupledTime.H"
@@ -51,6 +52,7 @@ int main(int argc, char* argv[])
     #include "setRootCase.H"
     Info<< "Cohesion " COHESION_VERSION << nl;
     requireParallel();
+    requireTimes(args);
     completeState::setAsideIncomplete(args);
     Info<< "Create time\n" << endl;
     coupledTime runTime(args);
@@ -63,10 +65,19 @@ int main(int argc, char* argv[])
 
     #include "readGas.H"
     #include "createCoupling.H"
+    if (!hasTimeLeft(runTime, coupling.continued()))
+    {
+        return 0;
+    }
     #include "createFlow.H"
 
     // The particle script may settle for minutes: what can be wrong without it is looked for before.
+    warnOfMisspeltEntries(runTime, pimple.dict(), transportProperties);
     requireGasEntries(pimple, gas, stress, U, p);
+    if (!coupling.continued())
+    {
+        tryTurbulence(pimple, stress, U);
+    }
     runTime.functionObjects().start();
     if (!coupling.continued())
     {

@@ -3,6 +3,7 @@
 
 #include "phasePair.H"
 
+#include "coupling/input/knownEntries.H"
 #include "coupling/input/readDragLaw.H"
 #include "two-fluid/addRows.H"
 #include "two-fluid/eachValue.H"
@@ -34,6 +35,13 @@ struct closureEntry
     }
 };
 
+//- What the model reads, and what the solver does of any model of drag
+const Keywords words
+{
+    {"type"}, {"dragFactor"}, {"dragExponent"}, {"dragCoefficient"}, {"filter"}, {"swarmCorrection"}, {"residualRe"},
+    {"residualAlpha"}
+};
+
 const addRows<closureEntry, cohesion::drag::closures.size()> added;
 
 } // End anonymous namespace
@@ -50,7 +58,9 @@ Foam::dragModels::closureDrag::closureDrag
     dragModel(dict, pair, registerObject),
     law_(readDragLaw(dict, closure)),
     filter_(dict, pair)
-{}
+{
+    warnOfUnknownEntries(dict, words);
+}
 
 
 Foam::tmp<Foam::volScalarField> Foam::dragModels::closureDrag::CdRe() const

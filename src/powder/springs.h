@@ -46,7 +46,7 @@ struct Springs {
   PairNumbers material, used;
   advice::OverMaterial over;
 
-  bool are_softer() const { return used.stiffness != material.stiffness; }
+  bool are_softer() const { return used.stiffness < material.stiffness; }
 };
 
 /// The least stiffness to which the attraction of a material of stiffness `real` can be scaled, its
@@ -58,9 +58,9 @@ inline double least_scaled_stiffness(double real, const hamaker::HamakerParamete
   return 1.1 * real * std::pow(k * (2.0 - k), exponent + 1.0);
 }
 
-/// Two digits that are not below what is needed, and no stiffer than the material.
-inline double rounded_stiffness(double needed, double material) {
-  return std::min(two_digits_below(1.1 * needed), material);
+/// Two digits that are not below what is needed, and no stiffer than `stiffest`.
+inline double rounded_stiffness(double needed, double stiffest) {
+  return std::min(two_digits_below(1.1 * needed), stiffest);
 }
 
 /// The stiffness of the material, as a linear spring, [force/length].
@@ -68,6 +68,15 @@ inline double material_stiffness(const GrainPair& pair, const Demand& demand) {
   if (demand.elastic.young == 0.0) return demand.given;
   return sticking_stiffness(demand.elastic, pair.diameter, pair.mass, demand.restitution,
                             pair.adhesion, demand.load.speed);
+}
+
+/// The stiffest springs that a run may need, [force/length]: those of the material, at the speed of
+/// the load where it is above that of the fastest impact that sticks. Hertz's contact stiffens as
+/// it is pressed.
+inline double stiffest_needed(const GrainPair& pair, const Demand& demand, double material) {
+  if (demand.elastic.young == 0.0) return material;
+  return std::max(material, linear_stiffness(demand.elastic, pair.diameter, pair.mass,
+                                             demand.load.speed, pair.adhesion.force));
 }
 
 /// The softest stiffness that bears the pair and all others. in_run(borne, K): the adhesion that
@@ -99,7 +108,8 @@ inline Springs springs_with_well(const GrainPair& pair, const Demand& demand) {
     const auto in_run = [&](const Borne& b, double) {
       return contact::Adhesion{0.0, 0.0, well_depth(real, e, b.pressed.reduced_mass, b.adhesion)};
     };
-    soft = rounded_stiffness(softest_of_all(pair, demand, in_run), real);
+    soft = rounded_stiffness(softest_of_all(pair, demand, in_run),
+                             stiffest_needed(pair, demand, real));
   }
   const PairNumbers of_material = pair_numbers(real, e, pair.mass, pair.adhesion);
   const PairNumbers used =
@@ -108,7 +118,14 @@ inline Springs springs_with_well(const GrainPair& pair, const Demand& demand) {
   return {of_material, used, {used.escape_velocity / of_material.escape_velocity, 0.0}};
 }
 
-/// The springs given, or the softest that will do, in two digits; no stiffer than the material.
+/// Of two escape velocities, [1]; 1 too where both contacts hold every pair, or none.
+inline double ratio(double one, double other) {
+  return one > 0.0 && std::isfinite(one) && other > 0.0 ? one / other : 1.0;
+}
+
+/// The springs given, or the softest that will do, in two digits; no stiffer than the material is
+/// for impacts at the speed of the load. Springs above the material's stiffness for the fastest
+/// impact that sticks keep its attraction.
 /// Throws InvalidParameter where those given leave the attraction no room below its outer cut-off.
 inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
   if (demand.well_ratio > 0.0) return springs_with_well(pair, demand);
@@ -122,9 +139,10 @@ inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
                  : b.adhesion;
     });
     if (scales) soft = std::max(soft, least_scaled_stiffness(real, pair.hamaker));
-    soft = rounded_stiffness(soft, real);
+    soft = rounded_stiffness(soft, stiffest_needed(pair, demand, real));
   }
-  const advice::Material material{real, demand.keep};
+  // Springs stiffer than the material has for slow impacts stand for none but themselves.
+  const advice::Material material{std::max(real, soft), demand.keep};
   contact::Adhesion used = pair.adhesion;
   if (advice::is_scaled(material, soft) && pair.adhesion.force > 0.0) {
     const advice::StiffnessScaling scaling(real, soft);
@@ -132,10 +150,13 @@ inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
     // As the engine will: throws where the outer cut-off leaves no room.
     scaling.hamaker(pair.hamaker);
   }
+  const PairNumbers of_material = pair_numbers(real, demand.restitution, pair.mass, pair.adhesion);
+  const PairNumbers of_run = pair_numbers(soft, demand.restitution, pair.mass, used);
+  if (soft > real)
+    return {of_material, of_run, {ratio(of_run.escape_velocity, of_material.escape_velocity), 1.0}};
   const auto spring =
       contact::LinearSpringDashpot::from_restitution(soft, demand.restitution, 0.5 * pair.mass);
-  return {pair_numbers(real, demand.restitution, pair.mass, pair.adhesion),
-          pair_numbers(soft, demand.restitution, pair.mass, used),
+  return {of_material, of_run,
           used.force > 0.0 ? advice::over_material(contact::AdhesiveContact(spring, used), material)
                            : advice::OverMaterial{1.0, 1.0}};
 }

@@ -212,14 +212,14 @@ CASES = {
         lambda c: c.set("system/controlDict", "purgeWrite", 1),
         ["purgeWrite = 1", "removes the last complete time", "Use 2 or more", "controlDict"]),
     "cell denser than allowed": (
-        lambda c: c.set(COUPLING, "minVoidFraction", 1.5),
-        # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.
-        ["90 cells have a void fraction below minVoidFraction = 1.5", "the lowest is",
-         "The solid beyond the limit is 0.00036", "nothing is clipped",
+        lambda c: c.set(COUPLING, "minVoidFraction", 0.99999999),
+        # One sphere of 100 um in a cell of 8e-6 m3: 5.24e-13 m3, of which 8e-14 are allowed.
+        ["1 cells have a void fraction below minVoidFraction = 0.99999999", "the lowest is",
+         "The solid beyond the limit is 4.43598", "nothing is clipped",
          "Cells of a few particle diameters cure it, voidFraction sphereOverlap, or, in a bed twenty widths high and"
          " more, a smoothingWidth"]),
     "cell denser than allowed, with all that smooths": (
-        lambda c: append(c, COUPLING, "minVoidFraction 1.5; voidFraction sphereOverlap; smoothingWidth 0.01;"),
+        lambda c: append(c, COUPLING, "minVoidFraction 0.999999999; voidFraction sphereOverlap; smoothingWidth 0.01;"),
         ["Cells of a few particle diameters cure it, or, in a bed twenty widths high and more, a larger smoothingWidth"]),
     "pressure in Pa": (
         lambda c: edit(c, "0/p", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]"),

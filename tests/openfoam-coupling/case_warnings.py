@@ -4,7 +4,7 @@ is meant is not."""
 
 import unittest
 
-from cohesion_tests.coupling.cases import COUPLING, append, edit
+from cohesion_tests.coupling.cases import COUPLING, append, edit, make_periodic
 from cohesion_tests.coupling.dictionaries import FIELD
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.refusals import assert_says
@@ -116,6 +116,84 @@ class CaseWarnings(CoupledTestCase):
         self.quiet("adjusted", log, said)
         log = self.spheres("slow", control="deltaT 2e-3; endTime 8e-3; writeInterval 8e-3;", **fast)
         self.quiet("0.7 cells", log, said)
+
+    def edited(self, name, *edits, periodic=False, control="endTime 1e-4;"):
+        """The log of a step of the column with texts of its files replaced: (file, old, new)."""
+        case = self.column(name)
+        append(case, "system/controlDict", control)
+        if periodic:
+            make_periodic(case)
+        for file, old, new in edits:
+            if old:
+                edit(case, file, old, new)
+            else:
+                (case.folder / file).write_text(new)
+        case.mesh()
+        return case.solve()
+
+    def test_particles_without_contacts(self):
+        said = "particles do not touch, and fall through each other"
+        contacts = ("particles.lmp", "pair_style   gran/hooke/history 100 NULL 0 NULL 0 0\npair_coeff   * *\n", "")
+        log = self.edited("contactless", contacts)
+        self.warned("no pair style", log, said, "particles.lmp has no pair_style", "particles that never meet need none",
+                    "couplingProperties")
+        self.expect_true("before the particle script", log.index(said) < log.index("Particle engine lammps"))
+        self.quiet("a pair style", self.edited("contacts"), said)
+        included = self.edited("included", (*contacts[:2], "include contacts.lmp\n"), ("contacts.lmp", "", contacts[1]))
+        self.quiet("in a file that is included", included, said)
+
+    def test_variables_that_the_script_does_not_use(self):
+        said = "does not use the variable"
+        log = self.edited("unused", (COUPLING, "dt      1e-5;", "dt 1e-5; plugins none;"))
+        self.warned("one", log, said, "'plugins' (the nearest that it uses is 'plugin')", "couplingProperties")
+        self.expect_true("before the particle script", log.index(said) < log.index("Particle engine lammps"))
+        self.quiet("none", self.edited("used"), said)
+        used = self.edited("condition", (COUPLING, "dt      1e-5;", "dt 1e-5; A 0; extra no;"),
+                           ("particles.lmp", "units ", 'if "$A > 0" then "print ${extra}"\nunits '))
+        self.quiet("in a condition and in quotes", used, said)
+        shared = self.edited("shared", (COUPLING, "dt      1e-5;", '#include "shared"'),
+                             ("constant/shared", "", "dt 1e-5; width 0.06;"))
+        self.quiet("in a file that is included", shared, said)
+
+    def test_periodic_box_or_mesh(self):
+        said = "in direction x the box of the particle script is"
+        box = ("particles.lmp", "boundary     f f f", "boundary     p f f")
+        self.warned("the box", self.edited("box", box), f"{said} periodic, and the mesh is not",
+                    "Take 'f' for x in the command boundary", "or cyclic patches")
+        self.warned("the mesh", self.edited("cyclic", periodic=True), f"{said} not periodic, and the mesh is periodic",
+                    "Take 'p' for x in the command boundary", "couplingProperties")
+        self.quiet("both", self.edited("both", box, periodic=True), said)
+        self.quiet("none", self.edited("closed"), said)
+
+    def test_entries_that_nothing_reads(self):
+        observed = "functions {{ observed {{ libs (cohesionFunctionObjects); {} writeControl timeStep; }} }}"
+        unknown = "unknown entry"
+        functions = {
+            "limitt": ("limit", "type bedHeight; layers 10; limitt 0.5;"),
+            "inlet": ("inlets", "type bedPressureDrop; inlet (bottom);"),
+            "directions": ("direction", "type mixingIndex; cells (3 3 10); directions (0 0 1);"),
+            "intervals": ("interval", "type particleMovement; interval 1e-4; intervals 1;"),
+            "writeIntervall": ("writeInterval", "type forceBudget; writeIntervall 3;"),
+            "timestart": ("timeStart", "type particleFields; timestart 3;"),
+        }
+        for entry, (right, text) in functions.items():
+            log = self.edited(f"function-{entry}", control="endTime 1e-4; " + observed.format(text))
+            self.warned(entry, log, f"unknown entry '{entry}' (the nearest known one is '{right}'): nothing reads it",
+                        "observed")
+        edits = {
+            "shar": ("share", "0.orig/U", "superficialVelocity (0 0 0);", "superficialVelocity (0 0 0); shar 0.5;"),
+            "densty": ("density", "constant/transportProperties", "rho  ", "densty idealGas; rho  "),
+            "nCorrector": ("nCorrectors", "system/fvSolution", "nCorrectors ", "nCorrector 3; nCorrectors "),
+            "adjustTimestep": ("adjustTimeStep", "system/controlDict", "deltaT ", "adjustTimestep yes; deltaT "),
+        }
+        for entry, (right, *what) in edits.items():
+            log = self.edited(f"entry-{entry}", what)
+            self.warned(entry, log, f"unknown entry '{entry}' (the nearest known one is '{right}')")
+            self.expect_true(f"{entry}: before the particle script", log.index(unknown) < log.index("Particle engine"))
+        known = "superficialVelocity sine; frequency 1; amplitude 0; scale (0 0 0); level (0 0 0); share 1;"
+        log = self.edited("known", ("0.orig/U", "superficialVelocity (0 0 0);", known), control="endTime 1e-4; maxDi 1; "
+                          + observed.format("type bedHeight; layers 10; limit 0.5; timeStart 0; log no; enabled yes;"))
+        self.quiet("all that is known", log, unknown)
 
 
 if __name__ == "__main__":

@@ -68,7 +68,7 @@ class EngineMessages(CoupledTestCase):
 
     def error_of_gas(self, ranks):
         case = make(self.column, f"gas-{ranks}", "fix move ", "fix move ")
-        append(case, COUPLING, "minVoidFraction 1.5;")
+        append(case, COUPLING, "minVoidFraction 0.99999999;")
         failed, log = outcome(case, ranks)
         self.expect_true(f"gas-{ranks}: fails", failed)
         self.expect_true(f"gas-{ranks}: by the gas", "below minVoidFraction" in log)

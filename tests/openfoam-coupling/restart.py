@@ -83,6 +83,7 @@ class Restart(CoupledTestCase):
         case = make(self.column, "refused", "swarm")
         case.set(CONTROL, "endTime", 0.008)
         case.solve()
+        case.set(CONTROL, "endTime", 0.012)
         case.set(CONTROL, "startFrom", "latestTime")
         self.refused("script without read_restart", case, "had done 800 steps", "have done 0",
                      "read_restart ${restart}", "couplingProperties")

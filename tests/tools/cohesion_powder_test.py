@@ -439,6 +439,29 @@ class Refusals(unittest.TestCase):
 
 
 class WrittenCase(unittest.TestCase):
+    def test_springs_of_large_grains_bear_impacts(self):
+        """5 mm: only the slowest impacts stick, and those of the run press Hertz's contact where it is stiffer."""
+        words = ("--diameter", 5e-3, "--density", 2500, "--young", 63e9, "--poisson", 0.22, "--hamaker", 1e-19)
+        found = program.values(*words)
+        mass = 2500 * math.pi / 6 * 5e-3**3
+        overlap = found["impact_speed"] * math.sqrt(mass / found["stiffness"])  # of a wall, without loss
+        self.assertLess(overlap / 5e-3, 0.01 * 1.05)  # loss takes away a twentieth
+        self.assertGreater(found["stiffness"], found["material_stiffness"])
+        self.assertEqual(found["pull_off_over_material"], 1)
+        _, text, error = program.call(*words)
+        self.assertNotIn("material_stiffness", text)
+        self.assertNotIn("press grains", error)
+        _, _, error = program.call(*words[:5], 1e7, *words[6:])
+        self.assertIn("m/s press grains of this Young's modulus by", error)
+
+    def test_a_long_run_is_told(self):
+        for diameter, long in ((1e-6, True), (5e-4, False)):
+            with tempfile.TemporaryDirectory() as folder:
+                case = Path(folder) / "case"
+                _, _, error = program.call("--diameter", diameter, *GLASS[2:], *BED, "--grains", 600, "--write", case)
+                self.assertEqual("particle steps of" in error, long, error)
+                self.assertEqual("h for the particles, on one process" in error, long, error)
+
     def test_grains_are_those_of_the_distribution(self):
         with tempfile.TemporaryDirectory() as folder:
             case = Path(folder) / "case"

@@ -107,6 +107,10 @@ void Foam::inletVelocity::check(const volScalarField& voidFraction, const volVec
 {
     for (VelocityInlet& inlet : inlets_)
     {
+        if (const auto* byFlux = superficial(U.boundaryField()[inlet.patch]))
+        {
+            byFlux->requireVoidFraction();
+        }
         if (!U.boundaryField()[inlet.patch].fixesValue())
         {
             continue;

@@ -64,16 +64,36 @@ void requireDepth(const dictionary& dict, const polyMesh& mesh, const Simulation
     }
 }
 
+//- Warns where particles come back on the other side and the gas does not, or the other way round
+void warnOfPeriodicity(const dictionary& dict, const bool mesh, const bool box, const direction d)
+{
+    if (mesh == box)
+    {
+        return;
+    }
+    const char* const name = vector::componentNames[d];
+    IOWarningInFunction(dict)
+        << "in direction " << name << " the box of the particle script is " << (box ? "periodic" : "not periodic")
+        << ", and the mesh is " << (mesh ? "periodic" : "not") << ": "
+        << (box ? "particles touch through the ends of the mesh, and leave it on one side to come back on the other"
+                : "gas passes from one side to the other, and particles do not") << nl
+        << "    Take " << (box ? "'f'" : "'p'") << " for " << name << " in the command boundary of the script"
+        << (box ? ", with walls at both ends; or cyclic patches" : "; or other patches than cyclic ones")
+        << " in that direction of the mesh" << endl;
+}
+
 } // End anonymous namespace
 
 
 void requireBoxOfMesh(const dictionary& dict, const polyMesh& mesh, const SimulationBox& box)
 {
+    const FixedList<bool, 3> periodic(periodicDirections(mesh));
     for (direction d = 0; d < 3; ++d)
     {
         if (mesh.geometricD()[d] > 0)
         {
             requireSameEnds(dict, mesh.bounds(), box, d);
+            warnOfPeriodicity(dict, periodic[d], box.periodic[d], d);
         }
         else if (box.periodic[d])
         {

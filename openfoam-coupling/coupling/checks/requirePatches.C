@@ -136,12 +136,20 @@ void requireTypes(const polyMesh& mesh, const dictionary& dict)
 }
 
 
+//- The axis along which a cyclic patch and its neighbour are opposite sides of the mesh; -1: none. All ranks call it.
+label axisOf(const polyMesh& mesh, const cyclicPolyPatch& patch)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    return axis(mesh, around(patches, patch.index()), around(patches, patch.neighbPatchID()));
+}
+
+
 //- FatalIOError unless a cyclic patch and its neighbour are whole opposite sides of the mesh
 void requireOppositeSides(const polyMesh& mesh, const dictionary& dict, const cyclicPolyPatch& patch)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const label neighbour = patch.neighbPatchID();
-    const label along = axis(mesh, around(patches, patch.index()), around(patches, neighbour));
+    const label along = axisOf(mesh, patch);
     if (along < 0)
     {
         fail
@@ -179,6 +187,21 @@ void requirePatches(const polyMesh& mesh, const dictionary& dict)
             requireOppositeSides(mesh, dict, refCast<const cyclicPolyPatch>(patch));
         }
     }
+}
+
+
+FixedList<bool, 3> periodicDirections(const polyMesh& mesh)
+{
+    FixedList<bool, 3> periodic(false);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const label along = isA<cyclicPolyPatch>(patch) ? axisOf(mesh, refCast<const cyclicPolyPatch>(patch)) : -1;
+        if (along >= 0)
+        {
+            periodic[along] = true;
+        }
+    }
+    return periodic;
 }
 
 } // End namespace Foam

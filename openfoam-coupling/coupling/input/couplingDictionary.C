@@ -9,21 +9,21 @@
 #include "nearest_name.h"
 
 #include "coupling/fromFirstRank.H"
+#include "coupling/input/knownEntries.H"
 #include "dem-engines/load_dem_engine.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
-#include <vector>
 
 namespace
 {
 
-struct Keyword
-{
-    std::string name;
-};
-
-using Keywords = std::vector<Keyword>;
+using Foam::Keyword;
+using Foam::Keywords;
+using Foam::isKnown;
+using Foam::isMisspelt;
+using Foam::list;
 
 //- What the coupling reads, but for the dictionaries of the engines
 const Keywords keywords
@@ -69,24 +69,10 @@ bool isReferenced(const std::string& text, const std::string& name)
 }
 
 
-bool isKnown(const Keywords& table, const std::string& name)
-{
-    return std::any_of(table.begin(), table.end(), [&](const Keyword& word) { return word.name == name; });
-}
-
-
 //- Whether a pattern, "(lammps|liggghts)Coeffs", is for a known word
 bool matches(const Foam::keyType& pattern, const Keywords& table)
 {
     return std::any_of(table.begin(), table.end(), [&](const Keyword& word) { return pattern.match(word.name); });
-}
-
-
-//- Whether a name is off a known one by its case or by one letter, a long one by two. Short words that mean
-//  something else are as near as that: 'step' and 'slip'.
-bool isMisspelt(const std::string& name, const std::string& nearest)
-{
-    return cohesion::letters_apart(name, nearest) <= (nearest.size() < 6 ? 1 : 2);
 }
 
 
@@ -119,22 +105,11 @@ struct UnknownEntries
             if (wrong || here)
             {
                 std::string& names = wrong ? misspelt : unread;
-                names += (names.empty() ? "'" : ", '") + key + "' (the nearest known one is '" + nearest + "')";
+                names += (names.empty() ? "" : ", ") + Foam::unknownEntry(key, nearest);
             }
         }
     }
 };
-
-
-std::string list(const Keywords& table)
-{
-    std::string names;
-    for (const Keyword& word : table)
-    {
-        names += (names.empty() ? "" : ", ") + word.name;
-    }
-    return names;
-}
 
 
 //- FatalIOError where an entry is misspelt; a warning where nothing reads one
@@ -179,16 +154,15 @@ Foam::couplingDictionary::couplingDictionary(const objectRegistry& mesh)
 }
 
 
-void Foam::couplingDictionary::requireKnownEntries() const
+void Foam::couplingDictionary::requireKnownEntries()
 {
     // All ranks call it: some of OpenFOAM's file handlers communicate.
     const fileName file(filePath());
-    dictionary written;
     OStringStream text;
     if (Pstream::master())
     {
-        written = asWritten(file);
-        written.write(text, false);
+        written_ = asWritten(file);
+        written_.write(text, false);
     }
     const auto require = [&](const dictionary& dict, const dictionary& writtenDict, const Keywords& table)
     {
@@ -201,10 +175,30 @@ void Foam::couplingDictionary::requireKnownEntries() const
     {
         all.push_back({std::string(engine.name) + "Coeffs"});
     }
-    require(*this, written, all);
+    require(*this, written_, all);
     for (const auto& engine : cohesion::coupling::dem_engines)
     {
         const word coeffs(std::string(engine.name) + "Coeffs");
-        require(subOrEmptyDict(coeffs), written.subOrEmptyDict(coeffs), engineKeywords);
+        require(subOrEmptyDict(coeffs), written_.subOrEmptyDict(coeffs), engineKeywords);
     }
+}
+
+
+std::set<std::string> Foam::couplingDictionary::ownVariables(const word& engine) const
+{
+    const auto variables = [&](const dictionary& dict)
+    {
+        return dict.subOrEmptyDict(engine + "Coeffs").subOrEmptyDict("variables");
+    };
+    const dictionary carriedOut(variables(*this));
+    std::set<std::string> names;
+    for (const entry& variable : variables(written_))
+    {
+        // Directives are entries of the file alone.
+        if (carriedOut.found(variable.keyword(), keyType::LITERAL))
+        {
+            names.insert(variable.keyword());
+        }
+    }
+    return names;
 }

@@ -14,8 +14,12 @@ WORK, ENV = Path(os.environ["COHESION_WORK"]), environment(os.environ["COHESION_
 
 
 class BadModels(unittest.TestCase):
+    @staticmethod
+    def case(name, drag):
+        return column(WORK / name, ENV, 4, 0.4, (1.2, 1.8e-5), (75e-6, 1500.0), drag)
+
     def refused(self, name, *parts, drag="type wenYu;", gravity=-9.81, **theory):
-        case = column(WORK / name, ENV, 4, 0.4, (1.2, 1.8e-5), (75e-6, 1500.0), drag)
+        case = self.case(name, drag)
         edit(case, "constant/turbulenceProperties.particles", **theory)
         replace(case, "constant/g", "(0 -9.81 0)", f"(0 {gravity} 0)")
         times(case, 1e-4, 1e-4)
@@ -41,6 +45,17 @@ class BadModels(unittest.TestCase):
                      drag="type wenYu; dragExponent -1;")
         self.refused("none", "dragExponent = 4.65: drag 'beetstra' has no exponent to choose",
                      "take one of ergunWenYu, ergunRoweHenwood, wenYu", where, drag="type beetstra; dragExponent 4.65;")
+
+    def test_entries_that_nothing_reads(self):
+        for name, entry, warnings in (("misspelt", "dragFator 0.5;", 1), ("right", "dragFactor 0.5;", 0)):
+            case = self.case(name, f"type wenYu; {entry}")
+            times(case, 1e-4, 1e-4)
+            case.mesh()
+            case.run(SOLVER)
+            log = case.log(SOLVER).read_text()
+            said = "unknown entry 'dragFator' (the nearest known one is 'dragFactor'): nothing reads it"
+            self.assertEqual(log.count(said), warnings, name)
+            self.assertEqual(log.count("unknown entry"), warnings, name)
 
     def test_filter(self):
         self.refused("filter", "filter", "igcy", "none, igci, radlSundaresan", "phaseProperties",

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "hamaker/small_gap.h"
 
 namespace cohesion::powder {
@@ -46,6 +48,24 @@ TEST(Springs, BearTheLoadAndAreNoStifferThanTheMaterial) {
   const Springs rigid = springs_of(pair_of(0.0), heavy);
   EXPECT_FALSE(rigid.are_softer());
   EXPECT_EQ(rigid.over.force, 1.0);
+}
+
+// Large grains hardly stick, and only the slowest: an impact presses Hertz's contact far into where
+// it is stiffer. F(x) = c x^(3/2), 2/5 c x^(5/2) = mu v^2/2, K x^2 = mu v^2.
+TEST(Springs, BearImpactsThatTheMaterialBears) {
+  Demand fast = demand();
+  fast.elastic.young = 1e9;
+  fast.load = {7.0, 0.0};
+  const Springs s = springs_of(pair_of(1e-19), fast);
+  const double mu = 0.5 * mass, modulus = 1e9 / (2.0 * (1.0 - 0.22 * 0.22));
+  const double c = 4.0 / 3.0 * modulus * std::sqrt(0.25 * d);
+  const double x = std::pow(2.5 * 0.5 * mu * 49.0 / c, 0.4);
+  ASSERT_GT(x, 0.01 * d);  // the material is pressed more than by the share that is asked for
+  EXPECT_NEAR(s.used.stiffness / (mu * 49.0 / (x * x)), 1.0, 1e-3);
+  EXPECT_GT(s.used.stiffness, s.material.stiffness);
+  EXPECT_EQ(s.used.pull_off, s.material.pull_off);
+  EXPECT_LT(s.over.escape_velocity, 1.0);
+  EXPECT_EQ(s.over.force, 1.0);
 }
 
 // Twice the mass and twice the adhesion, as at a wall.
