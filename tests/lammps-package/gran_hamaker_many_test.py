@@ -189,14 +189,15 @@ class Settling(unittest.TestCase):
         return table[-10:, 1].max() / rest  # the last fifth: 400 contact times and more
 
     def most_come_to_rest(self, ratio, division=10, of_start=0.0, duration=0.3):
-        # The median of five: in one bed of five or so a sphere comes to its place late. Three are enough to know it.
+        # The median of nine: in one bed of seven a sphere rolls on in its place, or comes there late. Five are enough to
+        # know it.
         values = []
-        for seed in (1, 2, 3, 4, 5):
+        for seed in range(1, 10):
             values.append(self.kinetic_over_limit(ratio, division, of_start, seed, 0.0, duration))
-            if sum(value < 1.0 for value in values) == 3:
+            if sum(value < 1.0 for value in values) == 5:
                 break
         print(f"{ratio} weights, t_c/{division}: " + ", ".join(f"{v:.1e}" for v in values), file=sys.stderr)
-        self.assertEqual(sum(value < 1.0 for value in values), 3)
+        self.assertEqual(sum(value < 1.0 for value in values), 5)
 
     def test_without_adhesion(self):
         self.most_come_to_rest(0)
