@@ -60,9 +60,9 @@ Words wordsOf(std::string line)
 
 
 //- A text with the values of variables in braces
-std::string withValues(std::string text, const std::map<std::string, std::string>& given)
+std::string withValues(std::string text, const std::map<std::string, std::string>& variables)
 {
-    for (const auto& [name, value] : given)
+    for (const auto& [name, value] : variables)
     {
         const std::string reference("${" + name + "}");
         const std::size_t at = text.find(reference);
@@ -92,10 +92,10 @@ Foam::particleScript::particleScript
 (
     const std::string& folder,
     const std::string& file,
-    const std::map<std::string, std::string>& given
+    const std::map<std::string, std::string>& variables
 )
 :
-    given_(given)
+    variables_(variables)
 {
     read(folder, file, 0);
 }
@@ -129,7 +129,7 @@ void Foam::particleScript::read(const std::string& folder, const std::string& fi
         const auto include = std::find(words.begin(), words.end(), "include");
         if (include != words.end() && include + 1 != words.end())
         {
-            read(folder, withValues(*(include + 1), given_), depth + 1);
+            read(folder, withValues(*(include + 1), variables_), depth + 1);
         }
         // What these do to the script is not in its text.
         for (const char* const other : {"jump", "python", "read_restart", "shell"})
@@ -183,7 +183,7 @@ std::optional<double> Foam::particleScript::number(const std::string& command) c
     {
         return {};
     }
-    const std::string text(withValues(found[0], given_));
+    const std::string text(withValues(found[0], variables_));
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     return end == text.c_str() + text.size() ? std::optional<double>(value) : std::nullopt;
