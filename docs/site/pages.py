@@ -175,9 +175,9 @@ def styles(site):
                 continue
             whole = (site.source / page).read_text()
             for line in re.findall(r"^# (.*)$", message_index.without_blocks(whole), re.M):
-                if not re.search(r" (command|model)$", line):
+                if not re.search(r" (command|model)s?$", line):
                     continue
-                for name in re.sub(r" (command|model)$", "", line).split(" command, "):
+                for name in re.split(r"(?: command| model)?, ", re.sub(r" (command|model)s?$", "", line)):
                     rows.append(f"| {name} | [{page.stem}]({page}) |")
         text += "\n".join(sorted(rows, key=str.lower)) + "\n"
     return text

@@ -20,7 +20,7 @@ namespace LAMMPS_NS {
 
 /// fix wall/hamaker hamaker A cutoff H_cut H_out [form name] [asperity r_a | roughness rms lambda]
 /// xplane lo hi ...: Hamaker attraction of spheres to plane walls, by the law of the pairs. Doc:
-/// docs/lammps-package/fix_wall_hamaker.md
+/// docs/lammps-package/pair_hamaker.md
 class FixWallHamaker : public FixWithWallHistory {
  public:
   FixWallHamaker(class LAMMPS*, int, char**);

@@ -15,7 +15,7 @@ ComputeStyle(shear/profile,ComputeShearProfile);
 namespace LAMMPS_NS {
 
 /// compute ID group shear/profile: mean profile of a sheared box, granular temperature, slip and
-/// kinetic stress about it. Doc: docs/lammps-package/compute_shear_profile.md
+/// kinetic stress about it. Doc: docs/lammps-package/fix_deform_shear.md
 class ComputeShearProfile : public engine_api::StyleCompute {
  public:
   ComputeShearProfile(class LAMMPS*, int, char**);

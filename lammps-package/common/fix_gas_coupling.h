@@ -30,6 +30,18 @@ class FixGasCoupling : public Fix {
   void init() override;
   void setup(int) override;
   void post_force(int) override;
+  /// Data of the solver, by name; rows are valid until the engine runs again.
+  ///   gas           double**, a GasOnParticle for each particle of this rank. The solver may set
+  ///                 the drag impulse to minus the impulse that the gas has already received
+  ///   liquid        double**, a LiquidOnParticle each, stored from the first call on
+  ///   no_liquid     null; ends the storage of liquid
+  ///   gravity       double[6], lowest, then highest components of the accelerations that fixes
+  ///                 gravity give to integrated particles of this rank and group that no fix
+  ///                 holds; lowest above highest: no such particles
+  ///   unseen_fixes  char*, names of the fixes that add forces after this one; null: none
+  ///   box_fixes     char*, names of the fixes that change size or shape of the box; null: none
+  ///   gas_impulse   double[6], impulse of drag (3) and of pressure (3) on the particles of this
+  ///                 rank, summed until the solver sets it to zero; not in restart files
   void* extract(const char*, int&) override;
   double compute_vector(int) override;
   double memory_usage() override;

@@ -21,7 +21,7 @@ namespace LAMMPS_NS {
 
 /// fix wall/hard/squarewell: walls in the event-driven simulation of pair_style hard/squarewell.
 /// FixHardEvents runs it; this fix stores the parameters of the script. Doc:
-/// docs/lammps-package/fix_wall_hard_squarewell.md
+/// docs/lammps-package/pair_hard_squarewell.md
 class FixWallHardSquareWell : public Fix, public HardWallSource {
  public:
   FixWallHardSquareWell(class LAMMPS*, int, char**);

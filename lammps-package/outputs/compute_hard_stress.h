@@ -13,7 +13,7 @@ ComputeStyle(hard/stress,ComputeHardStress);
 namespace LAMMPS_NS {
 
 /// compute ID all hard/stress: momentum times distance that the events of pair_style
-/// hard/squarewell have carried, by kind. Doc: docs/lammps-package/compute_hard_stress.md
+/// hard/squarewell have carried, by kind. Doc: docs/lammps-package/compute_gran_stress.md
 class ComputeHardStress : public ComputeFluxTotals {
  public:
   ComputeHardStress(class LAMMPS*, int, char**);

@@ -53,7 +53,7 @@ class PairGranCohesive : public Pair,
   void init_style() override;
   double init_one(int, int) override;
   /// For compute pair/local: energy of spring and adhesion; `force` over distance, and SINGLE_EXTRA
-  /// numbers in svector (docs/lammps-package/contact_output.md).
+  /// numbers in svector (docs/lammps-package/soft_contact_runs.md).
   double single(int i, int j, int, int, double, double, double, double& force) override;
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;

@@ -14,7 +14,7 @@ PairStyle(square_well, FormerPairSquareWell)
 #define LMP_PAIR_GRAN_STYLES_H
 
 // pair_style gran/..., a row each in cohesion_laws.h; doc: docs/lammps-package/pair_gran_*.md,
-// pair_squarewell.md
+// pair_gran_squarewell.md
 #include "common/former_style.h"
 #include "soft_contacts/cohesion_laws.h"
 #include "soft_contacts/pair_gran_cohesive.h"

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""styles.py SOURCE_DIR: every style of the LAMMPS package that a script can name has a page, under its name, and the
+"""styles.py SOURCE_DIR: every style of the LAMMPS package that a script can name is in the title of a page, and the
 README leads there: of a wall from the page of its pair style."""
 import re
 import sys
 import unittest
 from pathlib import Path
+
+from cohesion_tests import page_scripts
 
 SOURCE = Path(sys.argv.pop(1) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2])
 PACKAGE = SOURCE / "lammps-package"
@@ -25,16 +27,21 @@ def registered():
 
 
 def faults(kind, name):
-    page = PAGES / f"{kind.lower()}_{name.replace('/', '_')}.md"
-    title = f"# {COMMANDS[kind]} {name} command"
-    if not page.exists():
-        return [f"no page {page.relative_to(SOURCE)}"]
-    found = [] if page.read_text().startswith(title + "\n") else [f"{page.name} does not begin with `{title}`"]
-    pair = PAGES / f"pair_{name.removeprefix('wall/').replace('/', '_')}.md"
-    source = pair if name.startswith("wall/") and pair.exists() else SOURCE / "README.md"
-    if f"{page.name})" not in source.read_text():
-        found.append(f"no link to {page.name} in {source.relative_to(SOURCE)}")
-    return found
+    page = page_of(kind, name)
+    if page is None:
+        return [f"no page whose title names {COMMANDS[kind]} {name}"]
+    source = SOURCE / "README.md"
+    if name.startswith("wall/"):
+        source = page_of("Pair", name.removeprefix("wall/")) or source
+    if page != source and not re.search(rf"{page.name}[)#]", source.read_text()):
+        return [f"no link to {page.name} in {source.relative_to(SOURCE)}"]
+    return []
+
+
+def page_of(kind, name):
+    """The one whose title names the style."""
+    wanted = (COMMANDS[kind], name)
+    return next((page for page in sorted(PAGES.glob("*.md")) if wanted in page_scripts.titled(page.read_text())), None)
 
 
 class Styles(unittest.TestCase):
@@ -44,7 +51,7 @@ class Styles(unittest.TestCase):
         self.assertEqual({style: faults(*style) for style in styles if faults(*style)}, {})
 
     def test_one_without_is_seen(self):
-        self.assertEqual(faults("Fix", "no/such"), ["no page docs/lammps-package/fix_no_such.md"])
+        self.assertEqual(faults("Fix", "no/such"), ["no page whose title names fix no/such"])
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from cohesion_tests.test_cases import ScriptTestCase
 
 PAGES = Path(__file__).resolve().parents[2] / "docs" / "lammps-package"
 HEAD = box()
-# Commands up to their keywords, by the page that they are on.
+# Commands up to their keywords, by style.
 COMMANDS = {
     "pair_gran_hamaker": ("pair_style gran/hamaker ", "pair_style gran/hamaker\npair_coeff 1 1 "),
     "pair_gran_squarewell": ("pair_style gran/squarewell ", "pair_style gran/squarewell\npair_coeff 1 1 "),
@@ -27,9 +27,16 @@ COMMANDS = {
     "fix_wall_hamaker": ("fix w all wall/hamaker ",),
     "fix_wall_hard_squarewell": ("fix w all wall/hard/squarewell ",),
 }
+# Pages of several styles, and of walls.
+PAGE_OF = {"pair_squarewell": "pair_gran_squarewell", "fix_wall_hamaker": "pair_hamaker",
+           "fix_wall_hard_squarewell": "pair_hard_squarewell"}
 # Whose messages are written beside what reads, not made of it; one of the walls shares its list with the others.
 WRITTEN_BY_HAND = ("pair_hard_squarewell", "fix_wall_hamaker", "fix_wall_hard_squarewell")
 UNKNOWN = "no_such_keyword"
+
+
+def page_of(style):
+    return "fix_wall_gran" if style.startswith("fix_wall_gran") else PAGE_OF.get(style, style)
 
 
 def syntax(page):
@@ -61,10 +68,10 @@ class KeywordLists(ScriptTestCase):
         code, output = engine.run_text(f"{HEAD}{command}{words}\n", self.folder)
         return "" if code == 0 else next(line for line in output.splitlines() if "ERROR" in line)
 
-    def listed(self, page):
+    def listed(self, style):
         """What the messages about an unknown keyword name."""
         names = set()
-        for command in COMMANDS[page]:
+        for command in COMMANDS[style]:
             message = self.error(command, f"{UNKNOWN} 1")
             found = re.search(rf"'{UNKNOWN}'; valid(?: ones| names)?: ([a-z_, ]+)", message)
             self.assertIsNotNone(found, message)
@@ -72,9 +79,9 @@ class KeywordLists(ScriptTestCase):
         return names
 
     def test_a_keyword_of_the_message_is_on_the_page_and_the_other_way_round(self):
-        for page in COMMANDS:
+        for page in {page_of(style) for style in COMMANDS}:
             with self.subTest(page):
-                listed = self.listed(page)
+                listed = set().union(*(self.listed(style) for style in COMMANDS if page_of(style) == page))
                 self.assertEqual(listed - words_of_code(page), set())
                 self.assertEqual(described(page) - listed, set())
 
@@ -84,10 +91,10 @@ class KeywordLists(ScriptTestCase):
                 self.assertEqual(self.listed(f"pair_{style}") - self.listed(f"fix_wall_{style}"), set())
 
     def test_a_keyword_of_the_message_is_read(self):
-        for page in WRITTEN_BY_HAND:
-            for keyword in self.listed(page):
-                with self.subTest(page, keyword=keyword):
-                    refusals = [self.error(command, f"{keyword} {UNKNOWN}") for command in COMMANDS[page]]
+        for style in WRITTEN_BY_HAND:
+            for keyword in self.listed(style):
+                with self.subTest(style, keyword=keyword):
+                    refusals = [self.error(command, f"{keyword} {UNKNOWN}") for command in COMMANDS[style]]
                     self.assertFalse(all("unknown keyword" in refusal for refusal in refusals), refusals)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every LAMMPS script of every page runs as it is printed, and every part of one within the script of its page; each
-style's page has a whole one that uses the style."""
+page has a whole one, and each style a script or part that uses it."""
 import re
 import unittest
 
@@ -35,18 +35,14 @@ class Pages(unittest.TestCase):
         print(f"{len(cases)} scripts and parts of {len({place.split(':')[0] for place, _ in cases})} pages")
         self.assertEqual(page_scripts.run_all(cases, fault), {})
 
-    def test_each_style_has_a_whole_script_that_uses_it(self):
-        whole = {}
-        for block, kind in page_scripts.all_blocks():
-            if kind == "lammps":
-                whole.setdefault(block.page, []).append(block.text)
+    def test_each_style_has_a_script_that_uses_it(self):
         without = []
         for page in sorted((page_scripts.SOURCE / "docs/lammps-package").glob("*_*.md")):
-            title = re.match(r"# (pair_style|fix|compute) (\S+) command", page.read_text())
-            if title:
-                scripts = whole.get(str(page.relative_to(page_scripts.SOURCE)), [])
-                if not any(re.search(rf"(?m)^{title[1]}\b.*\s{re.escape(title[2])}\b", script) for script in scripts):
-                    without.append(page.name)
+            for command, style in page_scripts.titled(page.read_text()):
+                used = rf"^{command}\b.*\s{re.escape(style)}\b"
+                if command in ("pair_style", "fix", "compute") and not page_scripts.uses(
+                        used, "lammps", str(page.relative_to(page_scripts.SOURCE))):
+                    without.append(style)
         self.assertEqual(without, [])
 
 

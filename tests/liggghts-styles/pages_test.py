@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every LIGGGHTS script of every page runs as it is printed, and every part of one within the script of its page; each
-style's page has a whole one that uses the style."""
+page has a whole one, and each style a script or part that uses it."""
 import os
 import re
 import unittest
 
 from cohesion_tests import lammps, page_scripts
 
-DEFAULT = "docs/liggghts-styles/gran_cohesion_hamaker.md"
+DEFAULT = "docs/liggghts-styles/gran_cohesion.md"
 PAGES = "docs/liggghts-styles"
 
 
@@ -33,19 +33,14 @@ class Pages(unittest.TestCase):
         print(f"{len(cases)} scripts and parts of {len({place.split(':')[0] for place, _ in cases})} pages")
         self.assertEqual(page_scripts.run_all(cases, fault), {})
 
-    def test_each_style_has_a_whole_script_that_uses_it(self):
-        whole = {}
-        for block, kind in page_scripts.all_blocks():
-            if kind == "liggghts":
-                whole.setdefault(block.page, []).append(block.text)
+    def test_each_style_has_a_script_that_uses_it(self):
         without = []
         for page in sorted((page_scripts.SOURCE / PAGES).glob("*_*.md")):
-            title = re.match(r"# (gran cohesion|fix|compute) (\S+) (?:command|model)", page.read_text())
-            if title:
-                used = rf"(?m)^(pair_style gran\b.*\bcohesion\s+{title[2]}|{title[1]}\b.*\s{re.escape(title[2])})\b"
-                scripts = [re.sub(r"[ \t]+", " ", script) for script in whole.get(str(page.relative_to(page_scripts.SOURCE)), [])]
-                if not any(re.search(used, script) for script in scripts):
-                    without.append(page.name)
+            for command, style in page_scripts.titled(page.read_text()):
+                used = rf"^(pair_style gran\b.*\bcohesion {style}|{command}\b.*\s{re.escape(style)})\b"
+                if command in ("gran cohesion", "fix", "compute") and not page_scripts.uses(
+                        used, "liggghts", str(page.relative_to(page_scripts.SOURCE))):
+                    without.append(style)
         self.assertEqual(without, [])
 
 

@@ -40,8 +40,8 @@ class Manual(unittest.TestCase):
         defaults = {option: value for option, value in options_of_program().items() if value}
         self.assertGreater(len(defaults), 15)
         for row in rows():
-            names, given = re.findall(OPTION, row[0]), re.split(r",\s*", row[3])
-            for name, value in zip(names, given if len(names) > 1 else [row[3]]):
+            names, given = re.findall(OPTION, row[0]), re.split(r",\s*", row[2])
+            for name, value in zip(names, given if len(names) > 1 else [row[2]]):
                 if name in defaults:
                     self.assertEqual(numbers(value), numbers(defaults[name]), name)
 

@@ -44,6 +44,19 @@ def all_blocks():
     return [(block, kind_of(block, programs())) for page in pages() for block in blocks(page, (SOURCE / page).read_text())]
 
 
+def titled(text):
+    """Commands and styles of a page, by its title: `# pair_style a, fix b command`."""
+    names = re.split(r"(?: command| model)?, ", re.sub(r" (command|model)s?$", "", text.split("\n")[0].removeprefix("# ")))
+    return [tuple(name.rsplit(" ", 1)) for name in names if " " in name]
+
+
+def uses(pattern, engine, page):
+    """Whether a script of the engine on a page, or a part of one, has the pattern; the page must have a complete one."""
+    found = [(block.text, kind) for block, kind in all_blocks() if block.page == page and kind in (engine, engine + "-part")]
+    texts = [re.sub(r"[ \t]+", " ", re.sub(r"&[ \t]*\n", " ", text)) for text, _ in found]
+    return any(kind == engine for _, kind in found) and any(re.search(pattern, text, re.MULTILINE) for text in texts)
+
+
 def parts(text):
     """Those of a block: paragraphs stand for themselves."""
     return [part for part in re.split(r"\n\s*\n", text) if logical_lines(part)]
