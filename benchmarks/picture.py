@@ -5,8 +5,8 @@ a page.
 
   picture.py dense|growth|steps PAGE FILE.png
 
-PAGE: docs/verification/step_costs.csv for dense, growth_costs.md there for growth, docs/lammps-package/stability.md for
-steps, or another file that benchmarks.py --page or stability-campaign.py --table has written.
+PAGE: docs/verification/step_costs.csv for dense, growth_costs.md there for growth, stability.md there for steps (of
+which the .csv file beside it is drawn), or another file that benchmarks.py --page or stability-campaign.py --table has written.
 """
 import re
 import sys
@@ -120,15 +120,14 @@ def draw_steps(tables):
 
 def of_page(name, file):
     """What the picture `name` is drawn from: rows of a .csv file, or a table of a page."""
+    if name == "steps":
+        tables = {}
+        for row in read_csv(file.with_suffix(".csv")):
+            tables.setdefault(row["law"], []).append(row)
+        return tables
     if file.suffix == ".csv":
         return read_csv(file)
     found = sections(file.read_text())
-    if name == "steps":
-        tables, law = {}, None
-        for row in read(found[stability_pages.STEPS_TITLE]):
-            law = row["law"] or law  # which stands in the first of its rows
-            tables.setdefault(law, []).append(row)
-        return tables
     return read(found[{"dense": dense, "growth": growth}[name].TITLE])
 
 

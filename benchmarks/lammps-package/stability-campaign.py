@@ -9,7 +9,7 @@ pages.
   stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN --law NAME --point K     one point with all its warnings
   stability-campaign.py --remake docs/verification     pages of corner points from their CSV files, without runs
 
-The pages of the documentation: --table docs/lammps-package/stability.md --details docs/verification. Points are the
+The pages of the documentation: --table docs/verification/stability.md --details docs/verification. Points are the
 same in every run: number K of a law is drawn with its own seeds.
 """
 import os
@@ -56,8 +56,7 @@ def corner_pages(parts, details, back):
 
 def remake(details):
     files = {what: details / f"stability_{what}.csv" for what in stability_corners.SUBJECTS}
-    corner_pages({what: stability_corners.read(file) for what, file in files.items()}, details,
-                 "../lammps-package/stability.md")
+    corner_pages({what: stability_corners.read(file) for what, file in files.items()}, details, "stability.md")
 
 
 def link(folder, file):
@@ -68,7 +67,7 @@ def main():
     if sys.argv[1:2] == ["--remake"]:
         return remake(Path(sys.argv[2]))
     words = measuring_program.words(
-        __doc__, ("--table", {"metavar": "FILE.md", "type": Path, "help": "where to write the main page, too"}),
+        __doc__, ("--table", {"metavar": "FILE.md", "type": Path, "help": "where to write the main page, too, with a .csv file"}),
         ("--details", {"metavar": "FOLDER", "type": Path, "help": "where to write the pages of corner points "
                        "and their tables, stability_pairs and stability_walls; with --table"}),
         ("--points", {"type": int, "default": 250, "help": "random points of each law"}),
@@ -92,6 +91,7 @@ def main():
     main_page = stability_pages.main_page(rows, links)
     if words.table:
         words.table.write_text(main_page)
+        stability_pages.write_steps(words.table, rows)
     print(main_page, *texts.values(), sep="\n")
 
 

@@ -103,7 +103,7 @@ class MainPage(unittest.TestCase):
         inner = ((2.5, CORRECT), (2.5, stopped("contacts unstable")),
                  (16.0, result("wrong by 0.3", "marginal", "11 steps per contact (2 - 2)")), (16.0, CORRECT))
         rows = campaign(SAMPLED, {}, inner)
-        found = {row[1]: row[2:] for row in cells(pages.main_page(rows, {}), pages.STEPS_TITLE)}
+        found = {row[1]: list(map(str, row[2:])) for row in pages.by_steps(rows)[1:]}
         self.assertEqual([found[name][0] for name in pages.FIGURES], ["2/2", "0", "1/2"])
         self.assertEqual([found[name][-1] for name in pages.FIGURES], ["2/3", "1", "0/2"])
         self.assertEqual(cells(pages.main_page(rows, {}), "Results")[0],
@@ -117,7 +117,7 @@ class MainPage(unittest.TestCase):
 
 class CommittedPages(unittest.TestCase):
     def setUp(self):
-        self.main = (DOCS / "lammps-package/stability.md").read_text()
+        self.main = (DOCS / "verification/stability.md").read_text()
         self.tables = {what: stability_corners.read(DOCS / f"verification/stability_{what}.csv")
                        for what in stability_corners.SUBJECTS}
 
@@ -139,7 +139,7 @@ class CommittedPages(unittest.TestCase):
             self.assertIn("\n".join(words), self.main)
         for what, lines in self.tables.items():
             self.assertEqual((DOCS / f"verification/stability_{what}.md").read_text(),
-                             stability_corners.page(what, lines, "../lammps-package/stability.md"))
+                             stability_corners.page(what, lines, "stability.md"))
 
 
 def corner_texts(law):

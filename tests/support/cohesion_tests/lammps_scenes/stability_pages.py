@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Main page of the stability campaign; stability_corners.py has those of corner points. `rows` everywhere: name of the
 law -> [(number, Point, Result)], corner points first. A point is correct if all its cases are."""
+import csv
 from collections import Counter
 
 from cohesion_tests.lammps_scenes import stability_laws
@@ -16,10 +17,10 @@ FIGURES = ("correct/judged", "unwarned", "stopped/all")
 PROGRAM = "benchmarks/lammps-package/stability-campaign.py"
 HEAD = f"""# Stability at the ends of all parameters
 
-This page shows how far the [time-step check](time_step_check.md) can be relied on. A campaign runs the contact laws at
-the ends of their parameters and at random points between, and compares each result with a reference. It covers neither
-liquid bridges, nor JKR, nor *sampled* walls of gran/hamaker.
-`{PROGRAM}` writes this page.
+This page shows how far the [time-step check](../lammps-package/time_step_check.md) can be relied on. A campaign runs
+the contact laws at the ends of their parameters and at random points between, and compares each result with a
+reference. It covers neither liquid bridges, nor JKR, nor *sampled* walls of gran/hamaker.
+`{PROGRAM}` writes this page and [stability.csv](stability.csv).
 """.splitlines()
 TERMS = """
 ## Points and outcomes
@@ -48,7 +49,8 @@ STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""
 ## {STEPS_TITLE}
 
-Rows are correct over judged cases, incorrect cases without a warning for their contact, and stopped over all points.
+[stability.csv](stability.csv) has, for each law and range of t_c/dt, correct over judged cases, incorrect cases without
+a warning for their contact, and stopped over all points. [Pictures](pictures.md) shows the share of correct cases.
 """
 
 
@@ -95,7 +97,7 @@ def summary(rows):
 
 
 def by_steps(rows):
-    """Of random points, by contact times over the time step; hard spheres have no contact time."""
+    """Rows of the table of random points by contact times over the time step; hard spheres have no contact time."""
     spans = list(zip(STEPS, STEPS[1:]))
     lines = []
     for law, results in rows.items():
@@ -107,10 +109,14 @@ def by_steps(rows):
         figures = ([f"{found['right']}/{number}" for found, number in zip(cases, judged)],
                    [found["elsewhere"] + found["silent"] for found in cases],
                    [f"{sum(stops(r) for _, _, r in part)}/{len(part)}" for part in parts])
-        # The law stands in the first of its rows.
-        lines += [["" if n else law, name, *values] for n, (name, values) in enumerate(zip(FIGURES, figures))]
-    return [*BY_STEPS.splitlines(), "", *table(["law", "t_c/dt", *(f"{low} to {high}" for low, high in spans)], *lines)
-            ] if lines else []
+        lines += [[law, name, *values] for name, values in zip(FIGURES, figures)]
+    return [["law", "t_c/dt", *(f"{low} to {high}" for low, high in spans)], *lines]
+
+
+def write_steps(file, rows):
+    """The table of random points, beside the page `file`."""
+    with open(file.with_suffix(".csv"), "w", newline="") as opened:
+        csv.writer(opened, lineterminator="\n").writerows(by_steps(rows))
 
 
 def missing(rows):
@@ -125,4 +131,4 @@ def main_page(rows, links):
              *missing(rows)]
     if links:
         lines += ["", "Corner points: " + ", ".join(f"[{what}]({where})" for what, where in links.items()) + "."]
-    return "\n".join(lines + by_steps(rows)) + "\n"
+    return "\n".join(lines + BY_STEPS.splitlines()) + "\n"
