@@ -30,7 +30,8 @@ class FixGasCoupling : public Fix {
   void init() override;
   void setup(int) override;
   void post_force(int) override;
-  /// Data of the solver, by name; rows are valid until the engine runs again.
+  /// Data of the solver, by name; rows are valid until the engine runs again. A set-up adds forces,
+  /// but records no impulse.
   ///   gas           double**, a GasOnParticle for each particle of this rank. The solver may set
   ///                 the drag impulse to minus the impulse that the gas has already received
   ///   liquid        double**, a LiquidOnParticle each, stored from the first call on

@@ -13,7 +13,7 @@ ComputeStyle(hard/events,ComputeHardEvents);
 namespace LAMMPS_NS {
 
 /// compute ID all hard/events: sums over the events of pair_style hard/squarewell and its walls,
-/// by kind. Doc: docs/lammps-package/compute_hard_events.md
+/// by kind. Doc: docs/lammps-package/compute_gran_stress.md
 class ComputeHardEvents : public Compute {
  public:
   ComputeHardEvents(class LAMMPS*, int, char**);
