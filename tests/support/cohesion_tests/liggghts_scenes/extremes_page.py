@@ -151,10 +151,10 @@ def page(counts, points, name):
     cells = [[point["model"], ("random: " if point["points"] == "random" else "") + point["varied"],
               *(point[case].replace("incorrect, warned, ", "incorrect, ") for case in CASES)] for point in shown]
     incorrect = f"{INCORRECT}\n{table(('model', 'varied', *CASES), cells)}\n" if cells else ""
-    files = (f"\n[Outcomes]({name}.csv) has all counts. [Points]({name}_points.csv) has the corner points that are not "
-             "correct,\nwith the reported warnings and errors.\n")
+    files = paragraph(f"[Outcomes]({name}.csv) has all counts. [Points]({name}_points.csv) has the corner points that "
+                      "are not correct, with the reported warnings and errors.")
     return (PAGE.format(summary=paragraph(SUBJECT + of_silent(counts)), numbers=of_numbers(counts))
-            + POINTS.format(bases=of_points(counts, points), base=paragraph(of_bases())) + incorrect + files)
+            + POINTS.format(bases=of_points(counts, points), base=paragraph(of_bases())) + incorrect + f"\n{files}\n")
 
 
 def write_table(file, columns, rows):
