@@ -211,9 +211,8 @@ def groups(rows):
     for row in rows:
         if not is_right(row):
             found.setdefault((row[2], row[6], "free" if "free" in row[5] else "held"), []).append(row)
-    return [[*name, span(row[0] for row in own), span(row[1] for row in own), span(row[3] for row in own),
-             worst([row[-1] for row in own]), f"{sum('warned' in row[-1] for row in own)} of {len(own)}"]
-            for name, own in found.items()]
+    return [[*name, span(row[0] for row in own), span(row[1] for row in own), worst([row[-1] for row in own]),
+             f"{sum('warned' in row[-1] for row in own)} of {len(own)}"] for name, own in found.items()]
 
 
 def span(numbers):
@@ -230,7 +229,7 @@ def page(rows, file):
     text += [f"Of {len(rows)} rows, {counts['correct']} are correct and {counts['first order']} of first order;"
              f" [{file.name}]({file.name}) lists all, with the", "errors and with x, the gas step over m/b. The others, by "
              "masses and response:", ""]
-    names = ["rho_s/rho_g", "R", "response", "beta dt/(eps rho_g)", "eps", "cell/d", "verdict", "warned"]
+    names = ["rho_s/rho_g", "R", "response", "beta dt/(eps rho_g)", "eps", "verdict", "warned"]
     lines = ["| " + " | ".join(line) + " |" for line in (names, ["---"] * len(names), *groups(rows))]
     return "\n".join([PAGE, *text, *lines]) + "\n"
 
