@@ -24,8 +24,8 @@ benchmarks/liggghts-styles/extremes-campaign.py --remake FILE
 ```
 
 The cases are a head-on *pair* of spheres, a sphere and a *wall* (both compared with the closed form), and *three
-spheres*, of which one strikes two in contact (compared at two times with a sixteenth of the step; one must agree). A case
-is correct if the same particles stick and speeds agree within 0.1 of the largest speed. Points that are not set up
+spheres*, of which one strikes two in contact (compared at two times with a sixteenth of the step; one must agree). A
+case is correct if the same particles stick and speeds agree within 0.1 of the largest speed. Points that are not set up
 would overlap by half a radius; without a reference the finer run warned of rounding.
 
 ## Outcomes
@@ -42,8 +42,8 @@ POINTS = """
 DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight "
          "within it in a contact time.")
 INCORRECT = """
-The table lists corner points with an incorrect case, and random points with a case that is incorrect without a warning,
-crashes, hangs or has no run as its reference. Numbers are errors of speeds over the largest speed:
+Corner points with an incorrect case, and random points with a case that is incorrect without a warning, crashes, hangs
+or has no run as its reference:
 """
 
 
@@ -130,12 +130,17 @@ def is_incorrect(point):
 
 def page(counts, points, name):
     """`name`: of the file, without its suffix."""
-    shown = [point for point in points if point["points"] == "random" or is_incorrect(point)]
-    cells = [[point["model"], ("random: " if point["points"] == "random" else "") + point["varied"],
-              *(point[case].replace("incorrect, warned, ", "incorrect, ") for case in CASES)] for point in shown]
-    incorrect = f"{INCORRECT}\n{table(('model', 'varied', *CASES), cells)}\n" if cells else ""
+    shown = {}
+    for point in points:
+        if point["points"] == "random":
+            results = "; ".join(f"{case} {point[case]}" for case in CASES)
+            shown.setdefault(point["model"], []).append(f"random: {point['varied']} ({results})")
+        elif is_incorrect(point):
+            shown.setdefault(point["model"], []).append(point["varied"])
+    rows = [(model, "; ".join(names)) for model, names in shown.items()]
+    incorrect = f"{INCORRECT}\n{table(('model', 'varied'), rows)}\n" if rows else ""
     files = paragraph(f"[Outcomes]({name}.csv) has all counts. [Points]({name}_points.csv) has the corner points that "
-                      "are not correct, with the reported warnings and errors.")
+                      "are not correct, with errors and warnings.")
     return (PAGE.format(summary=paragraph(SUBJECT + of_silent(counts)), numbers=of_numbers(counts))
             + POINTS.format(base=paragraph(of_bases())) + incorrect + f"\n{files}\n")
 
