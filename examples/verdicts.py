@@ -91,8 +91,7 @@ def page(source, rows):
 |{'---|' * (len(VERDICTS) + 1)}
 | {' | '.join(str(counts[verdict]) for verdict in VERDICTS)} | {len(rows)} |
 
-[verdicts.csv](../../examples/verdicts.csv) lists every claim: the words of the source, the run, the verdict and its
-reason. `examples/verdicts.py` writes this page from it.
+[verdicts.csv](../../examples/verdicts.csv), from which `examples/verdicts.py` writes this page, lists every claim.
 
 ## Differs
 

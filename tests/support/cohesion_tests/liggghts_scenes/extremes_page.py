@@ -39,8 +39,8 @@ POINTS = """
 
 {base}
 """
-DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight "
-         "within it in a contact time.")
+DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* is relative to the flight in a contact "
+         "time.")
 INCORRECT = """
 Corner points with an incorrect case, and random points with a case that is incorrect without a warning, crashes, hangs
 or has no run as its reference:
