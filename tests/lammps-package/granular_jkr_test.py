@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What docs/scope.md says of LAMMPS' own JKR: grains are pulled apart slowly, alike, of two types, off a wall, and with
-a skin narrower than the gap at which they tear; for each version that is known what comes out.
+"""LAMMPS' own JKR against JKR's closed form and against the table of docs/scope.md: grains are pulled apart slowly, alike,
+of two types, off a wall, and with a skin narrower than the gap at which they tear.
 
 JKR, with the work of adhesion w = 2 gamma of LAMMPS' surface energy: the pull-off force is 3/2 pi w R*, and a contact
 under a load tears there, at the gap (3 pi^2 w^2 R*/(64 E*^2))^(1/3); 1/E* = 2 (1 - nu^2)/E."""
@@ -10,7 +10,7 @@ import re
 import unittest
 from pathlib import Path
 
-from cohesion_tests import lammps
+from cohesion_tests import SOURCE, lammps
 
 E, NU, GAMMA, R = 1e7, 0.25, 0.05, 0.5e-3
 MODEL = f"jkr {{}} 0 {NU} {GAMMA} tangential linear_history 1 0 0 damping velocity"
@@ -76,11 +76,40 @@ def pull_off(name):
 def version():
     with lammps.temporary_folder() as folder:
         _, output = lammps.run_text("units si\n", folder, lmp=os.environ["COHESION_PLAIN_LMP"])
-    day, month, year = re.search(r"LAMMPS \((\d+) (\w{3})\w* (\d{4})", output).groups()
+    return date(*re.search(r"LAMMPS \((\d+) (\w{3})\w* (\d{4})", output).groups())
+
+
+def date(day, month, year):
     return int(year), 1 + "JanFebMarAprMayJunJulAugSepOctNovDec".index(month) // 3, int(day)
 
 
+def stated():
+    """The table of docs/scope.md: a version to its values in the order of CASES, nan where the page has no number."""
+    rows = [[cell.strip() for cell in line.split("|")[2:-1]]
+            for line in (SOURCE / "docs/scope.md").read_text().split("\n") if line.startswith("|")]
+    columns = {}
+    for number, row in enumerate(rows):
+        for column, title in enumerate(row):
+            day = re.match(r"(\d+) (\w{3}) (\d{4})", title)
+            if day:
+                cells = [values[column] for values in rows[number + 2:number + 2 + len(CASES)]]
+                columns[date(*day.groups())] = [float((re.match(r"[\d.]+", cell) or ["nan"])[0]) for cell in cells]
+    return columns
+
+
 class Jkr(unittest.TestCase):
+    def test_the_page_states_what_is_measured(self):
+        columns = stated()
+        for debian in ((2021, 9, 29), (2025, 2, 4)):
+            self.assertIn(debian, columns)
+        if version() not in columns:
+            self.skipTest(f"docs/scope.md has no column for LAMMPS {version()}")
+        for name, value in zip(("alike", "of two types", "off a wall", "narrow skin"), columns[version()]):
+            measured = pull_off(name)
+            self.assertEqual(math.isnan(measured), math.isnan(value), name)
+            if not math.isnan(value):
+                self.assertAlmostEqual(measured, value, delta=5e-4, msg=name)  # the page rounds to three decimals
+
     def test_grains_pulled_apart(self):
         found = {name: pull_off(name) for name in CASES}
         print(f"LAMMPS {version()}: pull-off force over 3/2 pi w R*:",

@@ -50,7 +50,7 @@ BY_STEPS = f"""
 ## {STEPS_TITLE}
 
 [stability.csv](stability.csv) has, for each law and range of t_c/dt, correct over judged cases, incorrect cases without
-a warning for their contact, and stopped over all points. [Pictures](pictures.md) shows the share of correct cases.
+a warning for their contact, and stopped over all points. A [picture](../what-to-choose.md) shows the shares.
 """
 
 
