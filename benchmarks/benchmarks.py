@@ -6,7 +6,8 @@
   benchmarks.py BUILD NAME --help               its options
   benchmarks.py BUILD NAME --small              the same in a minute or two
   benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title;
-                                                of dense and features FILE's .csv has all columns
+                                                of dense and features step_costs.csv and
+                                                feature_costs.csv next to it have all columns
   benchmarks.py BUILD NAME --page FILE.csv      the first table into this file
   benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
@@ -75,7 +76,9 @@ def main():
         write_csv(words.page, lines)
     elif words.page:
         brief = getattr(table, "brief", None)
-        replace_section(words.page, table.TITLE, beside(words.page, lines, brief) if brief else lines)
+        if brief:
+            lines = beside(words.page.with_name(table.FILE), lines, brief)
+        replace_section(words.page, table.TITLE, lines)
     if getattr(words, "picture", None):
         picture.draw(words.name, read(lines), words.picture)
 

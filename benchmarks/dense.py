@@ -8,6 +8,7 @@ from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, granular, hamaker, hooke, ours, overlay, spread, spread_words, well
 
 TITLE = "Cost of a step with cohesion"
+FILE = "step_costs.csv"  # beside a page: all rows of its table
 WAYS = {
     "LAMMPS": {
         "gran/hooke/history (stock)": ("lammps", hooke()),

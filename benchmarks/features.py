@@ -6,6 +6,7 @@ from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
 TITLE = "Features of the particle engines"
+FILE = "feature_costs.csv"  # beside a page: all rows of its table
 COSTLY = 1.2  # a page lists features that cost as much in one of the scenes
 HAMAKER_STYLE = f"hamaker cutoff {scenes.CUT} {scenes.OUT}"
 WELL = "gran/squarewell"

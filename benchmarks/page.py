@@ -44,7 +44,8 @@ def write_csv(file, lines):
 
 
 def beside(file, lines, brief):
-    """The lines with brief(rows) in the place of the first table, all rows of which go to a .csv file beside `file`."""
+    """The lines with brief(rows) in the place of the first table, all rows of which go to the .csv file of the name
+    of `file`."""
     rows = write_csv(file.with_suffix(".csv"), lines)
     first = next(n for n, line in enumerate(lines) if line.startswith("|"))
     return [*lines[:first], *brief(rows), *lines[first + 2 + len(rows):]]

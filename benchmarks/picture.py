@@ -5,7 +5,7 @@ a page.
 
   picture.py dense|growth|steps PAGE FILE.png
 
-PAGE: docs/verification/step_costs.csv for dense, growth_costs.md there for growth, stability.md there for steps (of
+PAGE: docs/verification/step_costs.csv for dense, feature_costs.md there for growth, stability.md there for steps (of
 which the .csv file beside it is drawn), or another file that benchmarks.py --page or stability-campaign.py --table has written.
 """
 import re

@@ -254,7 +254,7 @@ void require_enough_grains(const PowderRequest& r, const Powder& p, const Powder
 
 /// Says how long a long run will take, its particles alone.
 void print_run_time(const tools::PowderCase& written, const tools::PowderVessel& vessel) {
-  // Of pairs in contact, docs/verification/growth_costs.md, and of a step of hardly any
+  // Of pairs in contact, docs/verification/feature_costs.md, and of a step of hardly any
   constexpr double per_sphere = 2e-7, per_step = 1e-5, long_run = 600.0;
   const double steps = written.particle_steps(vessel);
   const double seconds = steps * std::max(per_step, per_sphere * vessel.grains());

@@ -12,7 +12,7 @@
 /// pair sticks depends on where in the step it meets: each speed has a fraction of positions at
 /// which it does.
 ///
-/// Source: derived here; measured in docs/verification/law_mapping.md.
+/// Source: derived here; measured in docs/verification/contacts.md.
 namespace cohesion::advice {
 
 struct SampledEscape {

@@ -66,7 +66,7 @@ class Page(unittest.TestCase):
             "\nFrom `benchmarks.py BUILD one`.\n\nSaid of one.\n")).replace("| old |\n| old |", "| new |"))
 
     def test_source_names_what_was_asked_for(self):
-        words = ["dense", "--page", "step_costs.md", "--turns", "2", "--picture=p.png", "--way", "a b"]
+        words = ["dense", "--page", "feature_costs.md", "--turns", "2", "--picture=p.png", "--way", "a b"]
         self.assertRegex(source(asked(words)), r"^From `benchmarks\.py BUILD dense --turns 2 --way 'a b'`, the load of "
                          r"the machine before it \d+\.\d on \d+ processors\.$")
 

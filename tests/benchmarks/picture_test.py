@@ -83,7 +83,7 @@ class Pictures(unittest.TestCase):
                          ["3 of 6\n2 unwarned\n1 of 4 stop", "0 of 0\n4 of 4 stop"])
 
     def test_pages_of_the_documentation_can_be_drawn(self):
-        for name, where in (("dense", "verification/step_costs.csv"), ("growth", "verification/growth_costs.md"),
+        for name, where in (("dense", "verification/step_costs.csv"), ("growth", "verification/feature_costs.md"),
                            ("steps", "verification/stability.md")):
             with self.subTest(name):
                 self.assertTrue(picture.DRAWN[name](picture.of_page(name, DOCS / where)).axes)
