@@ -31,7 +31,7 @@ SECTIONS = (
     ("Tools", ("docs/tools/*.md",)),
     ("Theory", ("docs/theory/*.md",)),
     ("Verification", ("docs/verification/published_cases.md", "docs/verification/*.md")),
-    ("Change", ("CHANGELOG.md", "CONTRIBUTING.md", "docs/deprecation.md", "docs/contributing_law.md", "docs/*.md")),
+    ("Change", ("CHANGELOG.md", "CONTRIBUTING.md", "docs/deprecation.md", "docs/contributing.md", "docs/*.md")),
 )
 
 

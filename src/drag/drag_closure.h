@@ -20,7 +20,7 @@
 #include "drag/wen_yu.h"
 
 /// The table of drag closures, or drag laws as users call them: the one place that knows them all.
-/// How to add one: docs/contributing_drag.md.
+/// How to add one: docs/contributing.md.
 namespace cohesion::drag {
 
 /// Drag per volume of solid and unit slip, beta/(1 - eps), [mass/(volume time)]; arguments as in

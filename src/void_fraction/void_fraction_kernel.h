@@ -9,7 +9,7 @@
 #include "void_fraction/sphere_overlap.h"
 
 /// The table of void-fraction kernels: the one place that knows them all. How to add one:
-/// docs/contributing_kernel.md.
+/// docs/contributing.md.
 ///
 /// A kernel says which share of a sphere's volume a cell gets, from the sphere and that cell alone.
 /// A cell that has no point within `reach` of the centre gets none, and one that has all of those

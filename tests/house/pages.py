@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""pages.py SOURCE_DIR [PROGRAM ...]: every code block of every page is of a known kind (docs/contributing_pages.md),
+"""pages.py SOURCE_DIR [PROGRAM ...]: every code block of every page is of a known kind (docs/contributing.md),
 and what no engine runs is tried as far as it can be: lines of the shell by their syntax, the files and options that
 they name, those of the programs given by running them; dictionaries by their braces, YAML and Python by their syntax.
 Scripts of the engines are run by lammps.*.pages and liggghts.pages, the Python of docs/how-to by tests of its own."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The code blocks of pages, and of which kind each is: by what stands in it, so that no block needs a mark, and one that
-is of no kind is an error. Convention of the kinds: docs/contributing_pages.md, Code blocks of pages."""
+is of no kind is an error. Convention of the kinds: docs/contributing.md, Code blocks of pages."""
 import re
 from typing import NamedTuple
 

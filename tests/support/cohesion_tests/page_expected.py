@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results that a page says its scripts print, `name = value`: rows of its table that begins with the columns printed,
-from and to. Rules: docs/contributing_pages.md, Code blocks of pages."""
+from and to. Rules: docs/contributing.md, Code blocks of pages."""
 import re
 
 from cohesion_tests import SOURCE

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scripts of pages as tests run them: complete ones as they are printed, and parts of scripts within the first complete
-script of their page, of which they replace lines. Rules: docs/contributing_pages.md, Code blocks of pages."""
+script of their page, of which they replace lines. Rules: docs/contributing.md, Code blocks of pages."""
 import os
 import re
 import subprocess

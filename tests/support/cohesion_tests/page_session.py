@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A page as a session: a block whose first line is a comment with the name of a file is that file, and the lines of the
-shell run in order, in one folder. Rules: docs/contributing_pages.md, Code blocks of pages."""
+shell run in order, in one folder. Rules: docs/contributing.md, Code blocks of pages."""
 import os
 import re
 import subprocess
