@@ -27,15 +27,12 @@ SOURCES = {
         "give different beds with *exact* contacts: beds at rest depend on the pull-off force."),
     "Hoomans et al. 1996": (
         "docs/verification/source_hoomans.md", "Claims of Hoomans et al.",
-        "B. P. B. Hoomans, J. A. M. Kuipers, W. J. Briels, W. P. M. van Swaaij, *Discrete particle simulation of bubble\n"
-        "and slug formation in a two-dimensional gas-fluidised bed: a hard-sphere approach*, Chem. Eng. Sci. 51 (1996)\n"
-        "99",
+        "Hoomans, Kuipers, Briels, van Swaaij, Chem. Eng. Sci. 51 (1996) 99",
         "The examples reproduce the poured bed, the minimum fluidisation velocity, and slugs that form only with\n"
         "dissipation. The height of the ideal bed fluctuates here, and one of ten seeds exceeds the error of the energy."),
     "van der Hoef et al. 2006": (
         "docs/verification/source_van_der_hoef.md", "Claims of van der Hoef et al.",
-        "M. A. van der Hoef, M. Ye, M. van Sint Annaland, A. T. Andrews IV, S. Sundaresan, J. A. M. Kuipers,\n"
-        "*Multiscale modeling of gas-fluidized beds*, Adv. Chem. Eng. 31 (2006) 65",
+        "van der Hoef, Ye, van Sint Annaland, Andrews, Sundaresan, Kuipers, Adv. Chem. Eng. 31 (2006) 65",
         "The examples reproduce the drag of arrays and clusters and the pressure of hard-sphere fluids. The pressure of\n"
         "inelastic spheres deviates by up to 7 %. Two-fluid beds of Geldart A powder expand more than in the source."),
 }
@@ -91,7 +88,7 @@ def page(source, rows):
 |{'---|' * (len(VERDICTS) + 1)}
 | {' | '.join(str(counts[verdict]) for verdict in VERDICTS)} | {len(rows)} |
 
-[verdicts.csv](../../examples/verdicts.csv), from which `examples/verdicts.py` writes this page, lists every claim.
+[verdicts.csv](../../examples/verdicts.csv) lists every claim; `examples/verdicts.py` writes this page.
 
 ## Differs
 
