@@ -6,13 +6,13 @@ import csv
 import textwrap
 
 from cohesion_tests.liggghts_scenes.extremes import CASES, KINDS, SILENT, said_of
-from cohesion_tests.liggghts_scenes.extremes_points import CORNERS, LAWS, name_of
+from cohesion_tests.liggghts_scenes.extremes_points import ALL, CORNERS, name_of
 
 # Verdicts in the words of the page.
 WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
          "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
 COLUMNS = ("model", "points", "varied", *CASES, "reported")
-SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* contacts at the ends of their parameters and "
+SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* and *hertz* contacts at the ends of their parameters and "
            "at random points between. It counts incorrect results, and shows how far the time-step check can be relied "
            "on. ")
 PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
@@ -26,8 +26,8 @@ benchmarks/liggghts-styles/extremes-campaign.py --remake FILE
 
 | case | particles, 1 mm, 2650 kg/m3 | compared with |
 |---|---|---|
-| pair | two spheres, head-on | closed form |
-| wall | a sphere and a wall, head-on | closed form |
+| pair | two spheres, head-on | closed form; *hertz*: a sixteenth of the step |
+| wall | a sphere and a wall, head-on | closed form; *hertz*: a sixteenth of the step |
 | three spheres | a sphere strikes two in contact | a sixteenth of the step, at two times |
 
 | outcome | meaning |
@@ -132,7 +132,7 @@ def of_silent(counts):
 
 def of_bases():
     """Values of the base points of all laws, and those of each."""
-    values = {law: name_of(own).split(", ") for law, own in LAWS.items()}
+    values = {law: name_of(own).split(", ") for law, own in ALL.items()}
     common = [value for value in next(iter(values.values())) if all(value in own for own in values.values())]
     rest = "; ".join(f"*{law}* " + ", ".join(value for value in own if value not in common)
                      for law, own in values.items())
