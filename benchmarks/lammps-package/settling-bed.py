@@ -10,7 +10,8 @@ fifth of the run; what of it the liveliest sphere has at the end; the largest sp
 tally does not account for, over the largest kinetic energy, in all of the run and in its second half, when
 the bed rests; seconds of processor time. Of several beds (--beds), of seeds from --seed on: what they have in
 the last fifth, median, quartiles, least and most, since what is left differs from bed to bed by far more than
-from scheme to scheme. --law: contacts and adhesion of theory/hertzian_laws.py, scheme exact only.
+from scheme to scheme. --law: contacts and adhesion of theory/hertzian_laws.py, scheme exact only; with
+adhesion a rolling friction of 0.01, since spheres that hang in one contact roll on without loss.
 """
 import numpy
 
@@ -53,7 +54,7 @@ def show_beds(run, words, ratio):
 
 def follow(folder, run, words, ratio):
     return settling.follow(folder, run[1], words.seconds, scheme=run[0], A=settling.hamaker_constant(ratio),
-                           law=words.law)
+                           law=words.law, roll=0.01 if words.law in ("dmt", "jkr") else 0.0)
 
 
 def main():
