@@ -17,8 +17,9 @@ alone decides (rounding_decides) or where references of half and of twice the st
 `reference crashed` (hangs, refused): one that would be needed to say. What is not a number is always `wrong`.
 Aims: of Hertz's and JKR's contacts second order, (w dt)^2; of others one contact without friction 1e-6 once parted, and
 of spheres by what angle their line of centres is off in a contact, up to u V dt^2/d^2 (docs/theory/exact_contacts.md),
-and what their centrifugal force adds, which overlaps bear with K' (turning_load); with friction or several contacts second order, (w dt)^2, and where a particle has several
-contacts with friction first order of the dashpot (late_dashpot), at most 0.1 in all; while together also what the
+and what their centrifugal force adds, which overlaps bear with K' (turning_load); with friction or several contacts
+second order, (w dt)^2, and where a particle has several contacts with friction first order of the dashpot
+(late_dashpot), at most 0.1 in all; while together also what the
 place on the grid may differ from that of the motion, (w dt)^2/8, in wells w dt; and what the last digit of the largest
 place is of s/w, times the number of steps. Where that is more than 0.1 the aim is 0.1, and what is off by more, but by
 no more than that, is `not judged: coarse`. Where a sphere flies less than four such digits in a fine step nothing is

@@ -75,8 +75,8 @@ def follow_without_friction(folder, division, duration, law, restitution, **sche
     """By in.head_on: sampled forces, or in LIGGGHTS the scheme that is named."""
     dt = contact_time(law) / division
     if law != "linear":
-        cohesion = "jkr" if law == "jkr" else "hamaker scheme exact"
-        scheme = {"models": f"hertz tangential off cohesion {cohesion}", "E": hertzian_laws.MODULUS,
+        cohesion = "jkr" if law == "jkr" else "hamaker"
+        scheme = {"scheme": "exact", "models": f"hertz tangential off cohesion {cohesion}", "E": hertzian_laws.MODULUS,
                   "nu": hertzian_laws.POISSON, "e": restitution, "surface": hertzian_laws.SURFACE_ENERGY}
     constant = hertzian_laws.pair(law).hamaker if law in ("hertz", "dmt") else A
     log = math.log(restitution)

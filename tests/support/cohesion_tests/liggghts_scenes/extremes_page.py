@@ -12,8 +12,8 @@ from cohesion_tests.liggghts_scenes.extremes_points import ALL, CORNERS, name_of
 WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
          "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
 COLUMNS = ("model", "points", "varied", *CASES, "reported")
-SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* and *hertz* contacts at the ends of their parameters and "
-           "at random points between. It counts incorrect results, and shows how far the time-step check can be relied "
+SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* and *hertz* contacts at the ends of their "
+           "parameters and at random points between. It counts incorrect results, and shows how far the time-step check can be relied "
            "on. ")
 PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
 
