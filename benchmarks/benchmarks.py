@@ -7,6 +7,7 @@
   benchmarks.py BUILD NAME --small              the same in a minute or two
   benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title;
                                                 of dense and features FILE's .csv has all columns
+  benchmarks.py BUILD NAME --page FILE.csv      the first table into this file
   benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
 BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
@@ -19,7 +20,7 @@ from pathlib import Path
 
 import picture
 from build_folder import Missing, Programs
-from page import beside, read, replace_section, source
+from page import beside, read, replace_section, source, write_csv
 from scenes import REBUILD
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
@@ -57,7 +58,7 @@ def main():
     table = importlib.import_module(words.name)
     partial = [word for word in ("feature", "scene", "engine", "way") if getattr(words, word, None)
                and getattr(words, word) != commands.choices[words.name].get_default(word)]
-    if words.page and partial:
+    if words.page and words.page.suffix != ".csv" and partial:
         parser.error(f"--page replaces the whole table of the page, --{partial[0]} measures a part of it")
     if words.name in ("dense", "features") and words.steps % REBUILD:
         parser.error(f"--steps {words.steps}: a multiple of {REBUILD}, what is between two lists")
@@ -70,7 +71,9 @@ def main():
             print(line, flush=True)
     except Missing as error:
         sys.exit(str(error))
-    if words.page:
+    if words.page and words.page.suffix == ".csv":
+        write_csv(words.page, lines)
+    elif words.page:
         brief = getattr(table, "brief", None)
         replace_section(words.page, table.TITLE, beside(words.page, lines, brief) if brief else lines)
     if getattr(words, "picture", None):

@@ -101,13 +101,14 @@ def rows(programs, words):
 
 
 def brief(table):
-    """Lines of a smaller table: a row for each style, with ratios alone; `table`: the rows, as dictionaries."""
-    turns = "over stock with cohesion, same turn"
-    columns = {"over stock": "over stock", "over stock with cohesion": "over stock with cohesion",
-               "time": turns}
+    """Lines of a smaller table: styles of this package over the stock style with cohesion; `table`: the rows, as
+    dictionaries."""
+    columns = {"instructions": "over stock with cohesion", "time": "over stock with cohesion, same turn"}
     names = list(dict.fromkeys(row["scene"].split(",")[0] for row in table))
     found = {}
     for row in table:
+        if "(stock" in row["style"]:
+            continue
         own = found.setdefault((row["engine"], row["style"]), {})
         own[row["scene"].split(",")[0]] = [row[column].split(" ")[0] for column in columns.values()]
     heads = [f"{name}: {column}" for name in names for column in columns]

@@ -6,6 +6,7 @@ from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
 TITLE = "Features of the particle engines"
+COSTLY = 1.2  # a page lists features that cost as much in one of the scenes
 HAMAKER_STYLE = f"hamaker cutoff {scenes.CUT} {scenes.OUT}"
 WELL = "gran/squarewell"
 WALL = f"stiffness {scenes.STIFFNESS} restitution {scenes.RESTITUTION} friction {scenes.FRICTION}"
@@ -164,7 +165,8 @@ def rows(programs, words):
 
 
 def brief(table):
-    """Lines of a smaller table: what each feature costs when it is on, by scene; `table`: the rows, as dictionaries."""
+    """Lines of a smaller table: features that cost COSTLY or more when they are on, by scene; `table`: the rows, as
+    dictionaries."""
     names = list(dict.fromkeys(row["scene"] for row in table))
     found = {}
     for row in table:
@@ -173,4 +175,5 @@ def brief(table):
     yield "| engine | feature | " + " | ".join(names) + " |"
     yield "|" + "---|" * (len(names) + 2)
     for (engine, feature), own in found.items():
-        yield f"| {engine} | {feature} | " + " | ".join(own.get(name, "") for name in names) + " |"
+        if max(map(float, own.values())) >= COSTLY:
+            yield f"| {engine} | {feature} | " + " | ".join(own.get(name, "") for name in names) + " |"

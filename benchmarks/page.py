@@ -33,13 +33,19 @@ def read_csv(file):
         return list(csv.DictReader(opened))
 
 
-def beside(file, lines, brief):
-    """The lines with brief(rows) in the place of the first table, all rows of which go to a .csv file beside `file`."""
+def write_csv(file, lines):
+    """The rows of the first table of `lines`, which the .csv file `file` gets."""
     rows = read(lines)
-    with open(file.with_suffix(".csv"), "w", newline="") as opened:
-        writer = csv.DictWriter(opened, list(rows[0]), lineterminator="\n")
+    with open(file, "w", newline="") as opened:
+        writer = csv.DictWriter(opened, list(rows[0]), restval="", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
+    return rows
+
+
+def beside(file, lines, brief):
+    """The lines with brief(rows) in the place of the first table, all rows of which go to a .csv file beside `file`."""
+    rows = write_csv(file.with_suffix(".csv"), lines)
     first = next(n for n, line in enumerate(lines) if line.startswith("|"))
     return [*lines[:first], *brief(rows), *lines[first + 2 + len(rows):]]
 

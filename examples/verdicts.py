@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes one page for each source of the examples from verdicts.csv: its claims by verdict. `--check` writes nothing
-and fails if a page is not current."""
+"""Writes one page for each source of the examples from verdicts.csv: the number of claims by verdict, and the claims that
+differ. `--check` writes nothing and fails if a page is not current."""
 import argparse
 import csv
 import re
@@ -12,10 +12,8 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parents[1]
 TABLE = SOURCE / "examples/verdicts.csv"
 COLUMNS = ["source", "place", "claim", "quote", "run", "verdict", "why", "where"]
-#: Verdict: heading of its section. Claims of the first two stand in full, those of the others by example.
-VERDICTS = {"differs": "Differs", "cannot tell": "Cannot tell", "agrees": "Agrees", "not run": "Not run"}
-ORDER = ("agrees", "differs", "cannot tell", "not run")  # of the counts
-WORDS = 1000  # of a page
+VERDICTS = ("agrees", "differs", "cannot tell", "not run")
+WORDS = 400  # of a page
 CLAIM, QUOTE = 15, 25  # words
 
 #: Source: page, title, reference, conclusion.
@@ -71,25 +69,11 @@ def link(where):
     return f"[{Path(where).name}](../../{where}/README.md)"
 
 
-def in_full(verdict, rows):
-    """A table with a line for each claim."""
-    lines = [f"| place | claim | {'result' if verdict == 'differs' else 'because'} | example |", "|---|---|---|---|"]
-    return lines + [f"| {row['place']} | {row['claim']} | {row['why']} | {link(row['where'])} |" for row in rows]
-
-
-def by_example(verdict, rows):
-    """A table with a line for each example; of claims that were not run it has the places alone."""
-    found = {}
-    for row in rows:
-        name = row["place"] if verdict == "not run" else f"{row['claim']} ({row['place']})"
-        found.setdefault(row["where"], []).append(name)
-    lines = [f"| example | number | {'places' if verdict == 'not run' else 'claims'} |", "|---|---|---|"]
-    return lines + [f"| {link(where)} | {len(names)} | {'; '.join(names)} |" for where, names in found.items()]
-
-
-def section(verdict, rows):
-    table = in_full if verdict in ("differs", "cannot tell") else by_example
-    lines = [f"## {VERDICTS[verdict]}", "", *table(verdict, rows)]
+def differing(rows):
+    """A table with a line for each claim that differs."""
+    lines = ["| place | claim | result | example |", "|---|---|---|---|"]
+    lines += [f"| {row['place']} | {row['claim']} | {row['why']} | {link(row['where'])} |" for row in rows
+              if row["verdict"] == "differs"]
     return "\n".join(line.replace("*", r"\*") for line in lines) + "\n"
 
 
@@ -97,22 +81,21 @@ def page(source, rows):
     _, title, reference, conclusion = SOURCES[source]
     rows = [row for row in rows if row["source"] == source]
     counts = Counter(row["verdict"] for row in rows)
-    head = f"""# {title}
+    return f"""# {title}
 
 {conclusion}
 
 {reference}.
 
-| {' | '.join(ORDER)} | all |
-|{'---|' * (len(ORDER) + 1)}
-| {' | '.join(str(counts[verdict]) for verdict in ORDER)} | {len(rows)} |
+| {' | '.join(VERDICTS)} | all |
+|{'---|' * (len(VERDICTS) + 1)}
+| {' | '.join(str(counts[verdict]) for verdict in VERDICTS)} | {len(rows)} |
 
-[verdicts.csv](../../examples/verdicts.csv) lists the words of the source, the run and the result or the reason of every
-claim. `examples/verdicts.py` makes this page from it.
-"""
-    sections = [section(verdict, [row for row in rows if row["verdict"] == verdict])
-                for verdict in VERDICTS if counts[verdict]]
-    return "\n".join([head, *sections])
+[verdicts.csv](../../examples/verdicts.csv), from which `examples/verdicts.py` writes this page, lists every claim.
+
+## Differs
+
+{differing(rows)}"""
 
 
 def main():

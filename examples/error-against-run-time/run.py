@@ -16,7 +16,7 @@ import job
 import picture
 from cohesion_studies import lammps_run, program
 from cohesion_studies.progress_line import ProgressLine
-from scene import Scene, SceneError
+from scene import QUANTITY, Scene, SceneError
 
 HERE = Path(__file__).resolve().parent
 
@@ -38,7 +38,9 @@ def steps(word):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    entries = "\n".join(f"  {name:<20} {meaning}" for name, meaning in QUANTITY.items())
+    parser = argparse.ArgumentParser(description=__doc__, epilog=f"entries of a quantity of a scene:\n{entries}",
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE.yaml")
     parser.add_argument("--wish", type=float, help="error that is good enough, in place of the scene's (0.01)")
     parser.add_argument("--seeds", type=int, help="how many, in place of the scene's")

@@ -13,9 +13,20 @@ Setting = namedtuple("Setting", "scheme step")
 TAKES = ("last", "first", "change", "mean", "max", "min", "rms")
 TOP = {"title", "script", "command", "variables", "step", "schemes", "seeds", "repeats", "quantities",
        "reference"}
-OF_US = ("scene", "lmp", "plugin", "build", "python")  # what a command may name besides variables
-QUANTITY = {"column", "file", "take", "from", "reference", "relative_to", "over_seeds", "resolution",
-            "resolution_relative", "unit", "wish"}
+# Names in braces that a command may have besides variables: folder of the scene file, engine, build folder, Python.
+OF_US = ("scene", "lmp", "plugin", "build", "python")
+QUANTITY = {  # entry of a quantity: its meaning
+    "column": "of the thermo output (of the last run that has it), or of 'file'; required",
+    "file": "a table with spaces or commas, whose first line has the names",
+    "take": "last (default), first, change, mean, max, min, rms of the column",
+    "from": "share of its rows that is omitted at the beginning",
+    "reference": "a number, 'finest SCHEME' or {scheme: NAME, step: VALUE}; default: that of the scene",
+    "relative_to": "divisor of the errors; default: the reference; required if that is 0",
+    "over_seeds": "mean (default): error of the mean over seeds; largest: the worst seed",
+    "resolution": "smallest error that the quantity resolves",
+    "resolution_relative": "unresolved share of an error: grades 1.2 times apart are 0.2",
+    "wish": "accepted error",
+    "unit": "of a reference that is a number"}
 
 
 class SceneError(ValueError):

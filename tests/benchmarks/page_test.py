@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 from benchmarks import asked
-from page import beside, read_csv, replace_section, source
+from page import beside, read_csv, replace_section, source, write_csv
 
 PAGE = """# Costs
 
@@ -84,6 +84,11 @@ class Page(unittest.TestCase):
         found = beside(self.file, lines, lambda rows: [f"| {rows[0]['a']} |"])
         self.assertEqual(found, ["Source.", "", "| x |", "", "| c |", "|---|", "| 3 |"])
         self.assertEqual(read_csv(self.file.with_suffix(".csv")), [{"a": "x", "b": "1"}, {"a": "y", "b": "2"}])
+
+    def test_a_csv_file_has_the_first_table(self):
+        file = self.file.with_suffix(".csv")
+        write_csv(file, ["Source.", "", "| a | b |", "|---|---|", "| *x* | 1 |", "", "| c |", "|---|", "| 3 |"])
+        self.assertEqual(file.read_text(), "a,b\nx,1\n")
 
 
 if __name__ == "__main__":

@@ -76,8 +76,11 @@ class Report(unittest.TestCase):
         self.assertEqual([point["points"] for point in points], ["random", "random"])
         page = extremes_page.page(counts, points, "name")
         for line in ("| hamaker | 3, 3, 3 | 2, 2, 1 | 0, 1, 0 | 1, 0, 0 | 0, 0, 2 |",
-                     f"| hamaker | random: {extremes_page.name_of(self.VALUES)} | correct, 0.0e+00 |"
-                     " incorrect, no warning, 3.0e-01 | correct, later only, 0.0e+00 |"):
+                     "| hamaker | " + "; ".join(
+                         f"random: {extremes_page.name_of(self.VALUES)} (pair correct, 0.0e+00; {others})"
+                         for others in (
+                             "wall incorrect, no warning, 3.0e-01; three spheres correct, later only, 0.0e+00",
+                             "wall correct, 0.0e+00; three spheres reference crashed")) + " |"):
             self.assertIn(line, page.splitlines())
         self.assertIn("incorrect, no warning 1, crashed 0, hangs 0.", page.replace("\n", " "))
 

@@ -27,7 +27,7 @@ class Closures(unittest.TestCase):
     maxDiff = None
 
     def test_each_row_has_a_formula_and_rows_of_the_page(self):
-        for where in (CLOSURES, closure_page.rows("Closures"), closure_page.rows("How far they are apart")):
+        for where in (CLOSURES, closure_page.rows("Closures")):
             self.assertEqual(list(where), list(TABLE))
 
     def test_each_has_the_values_of_its_formula(self):
@@ -45,9 +45,9 @@ class Closures(unittest.TestCase):
                              (float(lowest), float(highest), float(reynolds)), name)
             self.assertEqual(closure_page.rows("Closures")[name][5] != "none", exponent == "1", name)
 
-    def test_the_page_states_how_far_they_are_apart(self):
-        for name, cells in closure_page.rows("How far they are apart").items():
-            self.assertEqual(cells, closure_page.distance_row(name), name)
+    def test_the_page_states_the_drag_of_a_packed_bed(self):
+        for name, cells in closure_page.rows("Closures").items():
+            self.assertEqual(cells[6], closure_page.packed(name), name)
 
 
 if __name__ == "__main__":

@@ -6,15 +6,14 @@ import csv
 import textwrap
 
 from cohesion_tests.liggghts_scenes.extremes import CASES, KINDS, SILENT, said_of
-from cohesion_tests.liggghts_scenes.extremes_points import CORNERS, LAWS, name_of
+from cohesion_tests.liggghts_scenes.extremes_points import LAWS, name_of
 
 # Verdicts in the words of the page.
 WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
          "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
 COLUMNS = ("model", "points", "varied", *CASES, "reported")
 SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* contacts at the ends of their parameters and "
-           "at random points between. It counts incorrect results, and shows how far the time-step check can be relied "
-           "on. ")
+           "at random points between. ")
 PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
 
 {summary}
@@ -24,20 +23,10 @@ benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS --table FILE
 benchmarks/liggghts-styles/extremes-campaign.py --remake FILE
 ```
 
-| case | particles, 1 mm, 2650 kg/m3 | compared with |
-|---|---|---|
-| pair | two spheres, head-on | closed form |
-| wall | a sphere and a wall, head-on | closed form |
-| three spheres | a sphere strikes two in contact | a sixteenth of the step, at two times |
-
-| outcome | meaning |
-|---|---|
-| correct | the same particles stick, and speeds agree within 0.1 of the largest speed, for three spheres at one of the times |
-| incorrect, warned | the run warned of this contact |
-| incorrect, warned for other contacts | the run warned only of contacts that do not occur |
-| stops | the run stops with an error |
-| not set up | contacts would overlap by half a radius |
-| no reference | the finer run warned of rounding |
+The cases are a head-on *pair* of spheres, a sphere and a *wall* (both compared with the closed form), and *three
+spheres*, of which one strikes two in contact (compared at two times with a sixteenth of the step; one must agree). A
+case is correct if the same particles stick and speeds agree within 0.1 of the largest speed. Points that are not set up
+would overlap by half a radius; without a reference the finer run warned of rounding.
 
 ## Outcomes
 
@@ -48,18 +37,13 @@ Cells have the numbers of cases: pair, wall, three spheres.
 POINTS = """
 ## Points
 
-A corner point sets one or a few parameters of the base point to an extreme value.
-
-{bases}
-
 {base}
 """
-DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* that of the well over the flight "
-         "within it in a contact time.")
+DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* is relative to the flight in a contact "
+         "time.")
 INCORRECT = """
 Corner points with an incorrect case, and random points with a case that is incorrect without a warning, crashes, hangs
-or has no run as its reference. Numbers are errors of speeds over the largest speed; *incorrect* alone means incorrect,
-warned:
+or has no run as its reference:
 """
 
 
@@ -136,20 +120,8 @@ def of_bases():
     common = [value for value in next(iter(values.values())) if all(value in own for own in values.values())]
     rest = "; ".join(f"*{law}* " + ", ".join(value for value in own if value not in common)
                      for law, own in values.items())
-    return f"The base point has {', '.join(common)}; {rest}. {DEPTH}"
-
-
-def of_points(counts, points):
-    """Corner points of each model that are correct, stop or are not set up, and incorrect."""
-    found = []
-    for model in dict.fromkeys(row["model"] for row in counts):
-        own = [point for point in points if (point["model"], point["points"]) == (model, "corner")]
-        wrong = [point for point in own if is_incorrect(point)]
-        names = "; ".join(point["varied"] for point in own if point not in wrong)
-        number = len(CORNERS[model.split(",")[0]])
-        found.append([model, f"{number - len(own)} of {number}", str(len(wrong)), names])
-    head = ("model", "corner points correct", "with an incorrect case", "the others stop or are not set up")
-    return table(head, found)
+    return ("A corner point sets one or a few parameters of the base point to an extreme value. "
+            f"The base point has {', '.join(common)}; {rest}. {DEPTH}")
 
 
 def is_incorrect(point):
@@ -158,13 +130,19 @@ def is_incorrect(point):
 
 def page(counts, points, name):
     """`name`: of the file, without its suffix."""
-    shown = [point for point in points if point["points"] == "random" or is_incorrect(point)]
-    cells = [[point["model"], ("random: " if point["points"] == "random" else "") + point["varied"],
-              *(point[case].replace("incorrect, warned, ", "incorrect, ") for case in CASES)] for point in shown]
-    incorrect = f"{INCORRECT}\n{table(('model', 'varied', *CASES), cells)}\n" if cells else ""
-    files = f"\n[Outcomes]({name}.csv) and [points]({name}_points.csv) with the reported words are tables.\n"
+    shown = {}
+    for point in points:
+        if point["points"] == "random":
+            results = "; ".join(f"{case} {point[case]}" for case in CASES)
+            shown.setdefault(point["model"], []).append(f"random: {point['varied']} ({results})")
+        elif is_incorrect(point):
+            shown.setdefault(point["model"], []).append(point["varied"])
+    rows = [(model, "; ".join(names)) for model, names in shown.items()]
+    incorrect = f"{INCORRECT}\n{table(('model', 'varied'), rows)}\n" if rows else ""
+    files = paragraph(f"[Outcomes]({name}.csv) has all counts. [Points]({name}_points.csv) has the corner points that "
+                      "are not correct, with errors and warnings.")
     return (PAGE.format(summary=paragraph(SUBJECT + of_silent(counts)), numbers=of_numbers(counts))
-            + POINTS.format(bases=of_points(counts, points), base=paragraph(of_bases())) + incorrect + files)
+            + POINTS.format(base=paragraph(of_bases())) + incorrect + f"\n{files}\n")
 
 
 def write_table(file, columns, rows):
