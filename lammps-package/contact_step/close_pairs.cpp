@@ -55,10 +55,10 @@ const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair*
   const double* const spin = atom->omega[0];
   if (most_remembered_) {  // as in packings, whose histories are contiguous in memory
     for (const ClosePair* p = first; p != stop; p++) {
-      const std::ptrdiff_t first = 3 * std::ptrdiff_t{p->j};
-      cohesion::prefetch_line(x + first);
-      cohesion::prefetch_line(v + first);
-      cohesion::prefetch_line(spin + first);
+      const std::ptrdiff_t own = 3 * std::ptrdiff_t{p->j};
+      cohesion::prefetch_line(x + own);
+      cohesion::prefetch_line(v + own);
+      cohesion::prefetch_line(spin + own);
       if (*p->has_history || is_near(*p, x, radius)) *last++ = p;
     }
     return last;
