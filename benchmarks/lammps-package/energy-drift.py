@@ -4,6 +4,7 @@
 time step, the scheme and the run time.
 
   energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating | --seeds N]
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN --damped [--law linear|hertz|dmt|jkr] [--gases N]
 
 Scheme exact is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
 over it where there is adhesion, at the step that costs the same time as the exact scheme's. Drift is
@@ -15,7 +16,7 @@ With `--heating`: what the dense gases gain per collision, from the third to the
 collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
 
 With `--damped`: dense gases of damped contacts, from a lattice: kinetic energy after 14 collisions over that of the start, at t_c/80, and how much more is left at longer
-steps, over what has been lost; mean and standard error of 16 gases.
+steps, over what has been lost; mean and standard error of 16 gases (--gases).
 
 With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its standard error, and root mean square.
 """
@@ -24,6 +25,7 @@ import numpy
 from cohesion_tests import lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import cohesive_gas as gas
 from cohesion_tests.progress import Progress
+from cohesion_tests.theory import hertzian_laws
 
 DIVISIONS = (4, 5, 10, 20, 40)
 # Solid fraction, A [J], speed [m/s] (each component). The spheres' F_ad/sqrt(mu K) is 0.022 m/s.
@@ -31,6 +33,7 @@ CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02
 SAMPLES = 200
 # Restitution and steps per contact of damped gases.
 DAMPED = ((0.9, 5.28), (0.9, 10), (0.9487, 5.86), (0.9487, 10), (0.98, 7.98), (0.98, 15), (0.99, 10.03))
+HERTZIAN = ((0.9, 10), (0.9, 20), (0.5, 10), (0.5, 20))
 
 
 def drift(table):
@@ -66,16 +69,18 @@ def heating(gas, engine, seeds=16, divisions=(4, 5, 10, 20)):
                   flush=True)
 
 
-def damped(gas, engine, seeds=16):
-    progress = Progress(2 * seeds * sum(division + gas.FINEST for _, division in DAMPED))
+def damped(gas, engine, law, seeds):
+    contacts, cases = (DAMPED, CASES[1::2]) if law == "linear" else (HERTZIAN, hertzian_laws.gases(law, 0.5))
+    progress = Progress(len(cases) * seeds * sum(division + gas.FINEST for _, division in contacts))
     print(f"\rsolid fraction 0.5: kinetic energy that is left at t_c/{gas.FINEST}, and more at longer steps, over what is lost")
-    for phi, constant, speed in CASES[1::2]:
-        for restitution, division in DAMPED:
+    for phi, constant, speed in cases:
+        time = gas.contact_time(law, speed)
+        for restitution, division in contacts:
             left = numpy.empty((seeds, 2))
             for seed in range(seeds):
                 with engine.temporary_folder() as folder:
                     gas.write(folder, 10, phi, speed, seed)
-                    left[seed] = [gas.kept(folder, n, phi, speed, A=constant, e=restitution)
+                    left[seed] = [gas.kept(folder, n, phi, speed, A=constant, e=restitution, law=law, time=time)
                                   for n in (gas.FINEST, division)]
                 progress.add(division + gas.FINEST)
             more = (left[:, 1] - left[:, 0]) / (1 - left[:, 0].mean())
@@ -104,12 +109,14 @@ def main():
         __doc__, ("--collisions", {"type": float, "default": 100.0, "help": "per particle"}),
         ("--heating", {"action": "store_true", "help": "what dense gases gain per collision"}),
         ("--damped", {"action": "store_true", "help": "what damped gases keep too much"}),
+        ("--law", {"choices": hertzian_laws.LAWS, "default": "linear", "help": "of damped gases"}),
+        ("--gases", {"type": int, "default": 16, "help": "of --damped"}),
         ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}))
     if words.heating:
         heating(gas, engine)
         return
     if words.damped:
-        damped(gas, engine)
+        damped(gas, engine, words.law, words.gases)
         return
     if words.seeds:
         scatter(gas, engine, words.collisions, words.seeds)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The cohesion models at the ends of their parameters, through LIGGGHTS.
 
-  extremes-campaign.py LIGGGHTS_COHESION [--table FILE] [--points N] [--seed N] [--jobs N] [--scheme NAME]
+  extremes-campaign.py LIGGGHTS_COHESION [--table FILE] [--points N] [--seed N] [--jobs N] [--scheme NAME] [--law NAME]
   extremes-campaign.py --remake FILE      the page FILE from the tables beside it, without runs
 
 What is done, and what the verdicts mean: tests/support/cohesion_tests/liggghts_scenes/extremes.py. Tables with
@@ -17,7 +17,7 @@ import numpy
 
 from cohesion_tests.launcher import given_program
 from cohesion_tests.liggghts_scenes import extremes, extremes_page
-from cohesion_tests.liggghts_scenes.extremes_points import CORNERS, LAWS, random_point
+from cohesion_tests.liggghts_scenes.extremes_points import CORNERS, INTEGRATED, LAWS, random_point
 from cohesion_tests.progress import Progress
 
 
@@ -31,6 +31,7 @@ def main():
     words.add_argument("--seed", type=int, default=4711)
     words.add_argument("--jobs", type=int, default=1, help="runs at a time")
     words.add_argument("--scheme", choices=extremes.SCHEMES, action="append", help="both, if not given")
+    words.add_argument("--law", choices=(*LAWS, *INTEGRATED), help="all, if not given")
     words = words.parse_args()
     random = numpy.random.default_rng(words.seed)
     of_laws = [(law, values, corner) for law in LAWS
@@ -39,6 +40,12 @@ def main():
     schemes = words.scheme or extremes.SCHEMES
     starts = [random.uniform(0.2, 1.2) for _ in of_laws] * len(schemes)
     points = [(law, scheme, values, corner) for scheme in schemes for law, values, corner in of_laws]
+    for law in INTEGRATED if "exact" in schemes else ():
+        drawn = [(c, True) for c in CORNERS[law]] + [(random_point(law, random), False) for _ in range(words.points)]
+        starts += [random.uniform(0.2, 1.2) for _ in drawn]
+        points += [(law, "exact", values, corner) for values, corner in drawn]
+    if words.law:
+        starts, points = zip(*((s, p) for s, p in zip(starts, points) if p[0] == words.law))
 
     def judge(point, start):
         law, scheme, values, _ = point

@@ -3,7 +3,7 @@
 """Energy of a gas of 1000 elastic spheres over 100 collisions per particle in LIGGGHTS, scheme exact: its change
 against the time step.
 
-  gas-energy.py LIGGGHTS_COHESION [--collisions N] [--scheme exact|sampled] [--restitution E]
+  gas-energy.py LIGGGHTS_COHESION [--collisions N] [--scheme exact|sampled] [--restitution E] [--law linear|hertz|dmt]
 
 The same gases as of lammps-package/energy-drift.py. Change is the total energy minus that of the start, over the kinetic
 energy of the start: `end` is its mean over the last tenth of the run, `most` the largest of 50 samples, `slope` what a
@@ -17,11 +17,12 @@ import time
 import numpy
 from scipy.stats import linregress
 
-from cohesion_tests.lammps_scenes.cohesive_gas import collision_rate
+from cohesion_tests.lammps_scenes.cohesive_gas import collision_rate, contact_time
 from cohesion_tests.launcher import given_program
-from cohesion_tests.liggghts_scenes.elastic_gas import CONTACT_TIME, elastic, energy, gas, kinetic_energy
+from cohesion_tests.liggghts_scenes.elastic_gas import elastic, energy, gas, hertzian, hertzian_energy, kinetic_energy
 from cohesion_tests.liggghts_scenes.scene import frames, hamaker
 from cohesion_tests.progress import Progress
+from cohesion_tests.theory import hertzian_laws
 from cohesion_tests.theory.pair_motion import CUT, OUT, Pair
 
 DIVISIONS = (4, 10, 20)
@@ -36,29 +37,43 @@ def main():
     words.add_argument("--collisions", type=float, default=100.0, help="per particle")
     words.add_argument("--scheme", choices=("exact", "sampled"), default="exact")
     words.add_argument("--restitution", type=float, default=1.0)
+    words.add_argument("--law", choices=("linear", "hertz", "dmt"), default="linear")
+    words.add_argument("--fraction", type=float, help="only this solid fraction")
     words = words.parse_args()
     os.environ["COHESION_LAUNCHER"] = words.launcher
-    durations = [words.collisions / collision_rate(fraction, speed) for fraction, _, speed in CASES]
+    cases = [case for case in (CASES if words.law == "linear" else hertzian_laws.gases(words.law))
+             if words.fraction in (None, case[0])]
+    durations = [words.collisions / collision_rate(fraction, speed) for fraction, _, speed in cases]
     progress = Progress(sum(durations) * sum(DIVISIONS))
+    for case, duration in zip(cases, durations):
+        print("\rsolid fraction {:g}, A = {:g} J, {:g} m/s{:30s}\n"
+              "  step           end       most      slope            seconds".format(*case, ""))
+        for division in DIVISIONS if words.law == "linear" else hertzian_laws.DIVISIONS:
+            measure(words, case, duration, division)
+            progress.add(duration * division)
+
+
+def measure(words, case, duration, division):
+    fraction, constant, speed = case
+    spheres, side = gas(10, fraction, speed=speed)
     models = f"model hooke/stiffness tangential off cohesion hamaker absolute_damping on tangential_damping off " \
              f"scheme {words.scheme}"
-    for (fraction, constant, speed), duration in zip(CASES, durations):
-        spheres, side = gas(10, fraction, speed=speed)
-        print(f"\rsolid fraction {fraction:g}, A = {constant:g} J, {speed:g} m/s{'':30s}\n"
-              "  step           end       most      slope            seconds")
-        for division in DIVISIONS:
-            steps = round(duration / CONTACT_TIME * division / SAMPLES) * SAMPLES
-            begin = time.perf_counter()
-            course = frames(spheres, models, hamaker(constant, cut=CUT, out=OUT), dt=CONTACT_TIME / division, steps=steps,
-                            every=steps // SAMPLES, contacts=elastic(words.restitution), boundary="p p p",
-                            box=f"0 {side} 0 {side} 0 {side}", skin=2e-4)
-            seconds = time.perf_counter() - begin
-            values = numpy.array([energy(frame, side, Pair(constant)) for frame in course])
-            change = (values - values[0]) / kinetic_energy(course[0])
-            progress.add(duration * division)
-            line = linregress(numpy.arange(1, SAMPLES + 1) / SAMPLES, change[1:])
-            print(f"\r  t_c/{division:<5d} {change[-SAMPLES // 10:].mean():10.1e} {change[1:].max():10.1e} "
-                  f"{line.slope:10.1e} +- {line.stderr:.0e} {seconds:9.1f}", flush=True)
+    attraction, contacts = hamaker(constant, cut=CUT, out=OUT), elastic(words.restitution)
+    of_frame = lambda frame: energy(frame, side, Pair(constant))
+    if words.law != "linear":
+        models, attraction, contacts = hertzian(words.law, words.restitution, 0.0)
+        of_frame = lambda frame: hertzian_energy(frame, side, hertzian_laws.pair(words.law))
+    time_of_contact = contact_time(words.law, speed)
+    steps = round(duration / time_of_contact * division / SAMPLES) * SAMPLES
+    begin = time.perf_counter()
+    course = frames(spheres, models, attraction, dt=time_of_contact / division, steps=steps, every=steps // SAMPLES,
+                    contacts=contacts, boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", skin=2e-4)
+    seconds = time.perf_counter() - begin
+    values = numpy.array([of_frame(frame) for frame in course])
+    change = (values - values[0]) / kinetic_energy(course[0])
+    line = linregress(numpy.arange(1, SAMPLES + 1) / SAMPLES, change[1:])
+    print(f"\r  t_c/{division:<5d} {change[-SAMPLES // 10:].mean():10.1e} {change[1:].max():10.1e} "
+          f"{line.slope:10.1e} +- {line.stderr:.0e} {seconds:9.1f}", flush=True)
 
 
 if __name__ == "__main__":

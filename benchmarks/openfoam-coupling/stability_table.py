@@ -31,16 +31,16 @@ from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, s
 
 RIGHT = 0.01  # of the first slip
 FINER = 8
-# Of the uniform scene. More viscous gas throws light spheres about (docs/theory/waves.md). Its drag is above a linear
-# one by 0.05 % (eps 0.3) to 0.44 % (eps 0.9999) at the first slip, by the closure; of a slip that falls as exp(-y)
-# that is at most 0.0044 y exp(-y) < 0.0017: a sixth of RIGHT.
+# Of the uniform scene. More viscous gas throws light spheres about (docs/openfoam-coupling/stability.md). Its drag is
+# above a linear one by 0.05 % (eps 0.3) to 0.44 % (eps 0.9999) at the first slip, by the closure; of a slip that falls
+# as exp(-y) that is at most 0.0044 y exp(-y) < 0.0017: a sixth of RIGHT.
 REYNOLDS = 0.1
 PAGE = """# Errors of the coupling by drag, density and cells
 
 Beds of at least 100 times the mass of their gas (R) are correct, or correct after the first steps, at any stiffness of
 the drag. Light or dilute particles need `response free`, or gas steps shorter than m/b; the solver warns, but for the
 errors in the column *warned*. Do not use form A for light free spheres at a Courant number of 5.
-[Stability](../openfoam-coupling/stability.md) lists the limits, and [waves](../theory/waves.md) derives them.
+[Stability](../openfoam-coupling/stability.md) lists and derives the limits.
 
 ```
 benchmarks/openfoam-coupling/stability_table.py BUILD WORK --table FILE

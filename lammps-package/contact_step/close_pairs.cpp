@@ -55,9 +55,10 @@ const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair*
   const double* const spin = atom->omega[0];
   if (most_remembered_) {  // as in packings, whose histories are contiguous in memory
     for (const ClosePair* p = first; p != stop; p++) {
-      cohesion::prefetch_line(x + 3 * p->j);
-      cohesion::prefetch_line(v + 3 * p->j);
-      cohesion::prefetch_line(spin + 3 * p->j);
+      const std::ptrdiff_t own = 3 * std::ptrdiff_t{p->j};
+      cohesion::prefetch_line(x + own);
+      cohesion::prefetch_line(v + own);
+      cohesion::prefetch_line(spin + own);
       if (*p->has_history || is_near(*p, x, radius)) *last++ = p;
     }
     return last;

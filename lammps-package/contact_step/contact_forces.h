@@ -37,8 +37,8 @@ class ContactForces {
         kick_(step->impulses.kick()),
         nlocal_(atom->nlocal),
         moved_by_forces_(step->moved_by_forces()),
-        persistent_(!step->energy_tally.is_active() && !step->starts() &&
-                    !step->has_other_length()) {}
+        may_persist_(!step->energy_tally.is_active() && !step->starts() &&
+                     !step->has_other_length()) {}
 
   /// Force that represents a unit impulse in this step, [1/time].
   double kick() const { return kick_; }
@@ -46,21 +46,21 @@ class ContactForces {
   /// periodic face, is computed twice.
   double owned_fraction(int j) const { return j < nlocal_ ? 1.0 : 0.5; }
 
+  /// Whether apply_persistent() can be called in this step.
+  bool may_persist() const { return may_persist_; }
   /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
-  /// step, without energies. `does`: its impulses; `linear`: as in ExactContact. Returns false, and
-  /// does nothing, for any other contact.
-  template <bool linear>
-  [[gnu::always_inline]] bool apply_persistent(const Contact& c, int i, int j,
-                                               const PairMotion& now, double* values,
+  /// step, without energies. `now`, `does`, `linear`: as in ExactContact. Returns false, and does
+  /// nothing, for any other contact, and in the step in which the engine has exchanged i and j.
+  template <bool linear, class Motion>
+  [[gnu::always_inline]] bool apply_persistent(const Contact& c, std::ptrdiff_t i, std::ptrdiff_t j,
+                                               const Motion& now, double* values,
                                                FrictionalStep& does) const {
-    ContactState::restore_signs(values);
-    if (!persistent_) return false;
-    if (c.is_idle(now.relative, values, moved_by_forces_)) return true;
+    if (c.is_idle(now, values, moved_by_forces_)) return true;
     if (!c.template advance_persistent<SIZE, linear>(now, values, does)) return false;
     Vector3 pushed = kick_ * does.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
     if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
-    if (!is_own(j)) return true;
+    if (j >= nlocal_) return true;
     add(forces_ + 3 * j, 1.0, pushed);
     if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, does.action.torque_j);
     return true;
@@ -120,7 +120,7 @@ class ContactForces {
   double kick_;
   int nlocal_;
   double moved_by_forces_;
-  bool persistent_;
+  bool may_persist_;
 };
 
 }  // namespace LAMMPS_NS

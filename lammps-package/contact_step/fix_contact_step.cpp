@@ -146,7 +146,8 @@ void FixContactStep::find_altered() {
     altered.save(i, saved);
   }
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
-  if (all) forward_flagged(flagged, &FixContactStep::alteration, AlteredParticles::EACH);
+  if (all)
+    forward_flagged(flagged, flagged.empty() ? nullptr : altered.of(0), AlteredParticles::EACH);
 }
 
 void FixContactStep::repeat_forces(int i, int j,

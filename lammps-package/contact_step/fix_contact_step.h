@@ -169,7 +169,6 @@ class FixContactStep : public Fix {
   void save_last(int i, double* values) const;
   void follow_renumbering();
   void find_altered();
-  double* alteration(int i) { return altered.of(i); }
   void advise_if_due(bool setup);
   bool is_idle() const;
   void update_readers();
@@ -178,11 +177,9 @@ class FixContactStep : public Fix {
   void update_masses_by_owners(int all);
   void update_radii(int all);
   void report_unresolved();
-  using NumbersOf = double* (FixContactStep::*)(int i);
   void save_accelerations();
   void forward_accelerations();
-  double* acceleration_of(int i) { return accelerations.of(i); }
-  void forward_flagged(std::vector<char>& flags, NumbersOf, int each);
+  void forward_flagged(std::vector<char>& flags, double* values, int each);
   void end_start();
   void tally_work(bool starts);
   void begin_tallies();
@@ -200,8 +197,8 @@ class FixContactStep : public Fix {
   std::vector<AdvisedStyle*> advised;     // the same
   LammpsWatch watch;
 
-  char* forwarded_flags;       // per atom and ghost: whether it has values to forward
-  NumbersOf forwarded_values;  // these values, `values_each` per particle
+  char* forwarded_flags;     // per atom and ghost: whether it has values to forward
+  double* forwarded_values;  // of particle 0; `values_each` per particle, one after the other
   int values_each;
   bool may_have_contacts;  // whether any style may have one in this run
   bool idle;               // no contact can act, and no output reads any

@@ -68,25 +68,31 @@ void FixContactStep::update_radii(int all) {
 /// Sends the accelerations of particles to their ghosts, and finds the largest.
 void FixContactStep::forward_accelerations() {
   const int all = atom->nlocal + atom->nghost;
-  if (atom->nghost > 0 || comm->nprocs > 1) {
-    flagged.assign(all, 0);
-    for (int i = 0; i < atom->nlocal; i++) {
-      const double* const a = accelerations.of(i);
-      flagged[i] = a[0] != 0.0 || a[1] != 0.0 || a[2] != 0.0;
-    }
-    for (int i = atom->nlocal; i < all; i++) accelerations.clear(i);
-    forward_flagged(flagged, &FixContactStep::acceleration_of, accelerations.size());
-  }
-  double largest = 0.0;
-  for (int i = 0; i < all; i++) {
+  const auto square = [this](int i) {
     const cohesion::Vector3 a = cohesion::vector(accelerations.of(i));
-    largest = std::max(largest, dot(a, a));
+    return dot(a, a);
+  };
+  double largest = 0.0;
+  flagged.resize(all);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double now = square(i);
+    flagged[i] = now != 0.0;
+    largest = std::max(largest, now);
+  }
+  if (atom->nghost > 0 || comm->nprocs > 1) {
+    forward_flagged(flagged, accelerations.of(0), accelerations.size());
+    for (int i = atom->nlocal; i < all; i++) {
+      if (flagged[i])
+        largest = std::max(largest, square(i));
+      else
+        accelerations.clear(i);
+    }
   }
   largest_acceleration = std::sqrt(largest);
 }
 
 /// Sends flags to ghosts, and `each` values of every flagged particle.
-void FixContactStep::forward_flagged(std::vector<char>& flags, NumbersOf values, int each) {
+void FixContactStep::forward_flagged(std::vector<char>& flags, double* values, int each) {
   std::fill(flags.begin() + atom->nlocal, flags.end(), 0);
   forwarded_flags = flags.data();
   forwarded_values = values;
@@ -101,7 +107,7 @@ int FixContactStep::pack_forward_comm(int n, int* list, double* buf, int, int*) 
   for (int k = 0; k < n; k++) {
     if (!forwarded_flags[list[k]]) continue;
     *end++ = k;
-    if (values_each > 0) end = std::copy_n((this->*forwarded_values)(list[k]), values_each, end);
+    end = std::copy_n(forwarded_values + values_each * list[k], values_each, end);
   }
   if (end - buf < (1 + values_each) * n) *end++ = -1.0;
   return static_cast<int>(end - buf);
@@ -111,7 +117,7 @@ void FixContactStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
     const int i = first + static_cast<int>(*buf++);
     forwarded_flags[i] = 1;
-    if (values_each > 0) std::copy_n(buf, values_each, (this->*forwarded_values)(i));
+    std::copy_n(buf, values_each, forwarded_values + values_each * i);
     buf += values_each;
   }
 }

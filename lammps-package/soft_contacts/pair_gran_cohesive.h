@@ -28,11 +28,26 @@ struct StaggeredParticles {
 
   [[gnu::always_inline]] cohesion::contact_solver::RelativeState relative_state(int i,
                                                                                 int j) const {
-    return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
+    return {of(x, j) - of(x, i), of(v, j) - of(v, i)};
   }
   [[gnu::always_inline]] cohesion::contact_solver::PairMotion motion(int i, int j) const {
-    return {relative_state(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
+    return {relative_state(i, j), of(spin, i), of(spin, j)};
   }
+  [[gnu::always_inline]] static cohesion::Vector3 of(const double* numbers, std::ptrdiff_t i) {
+    return vector(numbers + 3 * i);
+  }
+};
+
+/// Two of them.
+struct StaggeredPair {
+  const StaggeredParticles& all;
+  int i, j;
+
+  [[gnu::always_inline]] cohesion::contact_solver::RelativeState relative() const {
+    return all.relative_state(i, j);
+  }
+  [[gnu::always_inline]] cohesion::Vector3 spin_i() const { return all.of(all.spin, i); }
+  [[gnu::always_inline]] cohesion::Vector3 spin_j() const { return all.of(all.spin, j); }
 };
 
 /// Spheres with a linear, Hertzian or JKR contact, friction and a cohesion, in the exact or the

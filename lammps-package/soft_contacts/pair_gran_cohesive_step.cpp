@@ -122,16 +122,16 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   // Separate loops for steps with momentum fluxes and for laws that are not all linear: otherwise
   // the results of a contact stay in registers.
   const auto loop = [&](auto sums_flux, auto linear) {
-    const bool asked = evflag;
+    const bool full = evflag || !forces.may_persist();
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
       const int c = contact(contacts, now, i, j);
       if (c == contacts.NONE) return hold(i, j, *pair.has_history, pair.history);
       const Contact& law = contacts.all[c];
       FrictionalStep does;
-      if (!*pair.has_history || asked ||
-          !forces.template apply_persistent<linear>(law, i, j, now.motion(i, j), pair.history,
-                                                    does))
+      if (full || !*pair.has_history ||
+          !forces.template apply_persistent<linear>(law, i, j, StaggeredPair{now, i, j},
+                                                    pair.history, does))
         compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
       else if constexpr (sums_flux)
         add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);

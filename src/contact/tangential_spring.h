@@ -33,8 +33,8 @@ struct Plane {
   [[gnu::always_inline]] Vector3 turned_into(const Vector3& a) const {
     const double along = dot(a, normal), whole = dot(a, a);
     const double square = whole - inverse_square * along * along;
-    if (!(square > 0.0)) return {};
-    return std::sqrt(whole / square) * (a - (inverse_square * along) * normal);
+    const double stretch = square > 0.0 ? std::sqrt(whole / square) : 0.0;
+    return stretch * (a - (inverse_square * along) * normal);
   }
 };
 

@@ -24,7 +24,9 @@ class ContactBodies {
         inverse_inertia_i_(inverse_inertia(i)),
         inverse_inertia_j_(inverse_inertia(j)) {}
 
-  bool are(const Body& i, const Body& j) const { return i == i_ && j == j_; }
+  bool are(const Body& i, const Body& j) const {
+    return (i.difference(i_) | j.difference(j_)) == 0;
+  }
   bool is_wall() const { return !(j_.radius > 0.0); }
   /// Distance of the centres of spheres that touch, beside a wall the radius, [length].
   double distance() const { return i_.radius + j_.radius; }
@@ -63,6 +65,11 @@ class ContactBodies {
         : bodies_(bodies),
           plane_{separation, inverse * inverse},
           lever_i_(bodies.is_wall() ? bodies.i_.radius * inverse : bodies.lever_i_) {}
+    /// The same of two spheres.
+    [[gnu::always_inline]] static Touch of_spheres(const ContactBodies& bodies,
+                                                   const Vector3& separation, double inverse) {
+      return {bodies, {separation, inverse * inverse}, bodies.lever_i_};
+    }
 
     const contact::Plane& plane() const { return plane_; }
 
@@ -108,6 +115,9 @@ class ContactBodies {
     }
 
    private:
+    Touch(const ContactBodies& bodies, const contact::Plane& plane, double lever_i)
+        : bodies_(bodies), plane_(plane), lever_i_(lever_i) {}
+
     const ContactBodies& bodies_;
     contact::Plane plane_;
     double lever_i_;  // of i, as a part of the distance

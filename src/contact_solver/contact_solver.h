@@ -62,12 +62,23 @@ class ContactSolver : public PairCourse {
   /// and nothing done, where that is not certain. The other forces are known from the motion.
   [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
                                                  PersistentStep& step) const {
-    return is_linear() ? advance_linear(now, state, step) : advance_integrated(now, state, step);
+    return is_linear() ? advance_persistent_as<LinearContact>(now, state, step)
+                       : advance_integrated(now, state, step);
   }
-  /// The same of a contact that is known to be linear.
-  [[gnu::always_inline]] bool advance_linear(const DistanceMotion& now, ContactState& state,
-                                             PersistentStep& step) const {
-    return advance_persistent_as<LinearContact>(now, state, step);
+  /// The same of a contact that is known to be linear, and false where it is taut, on its stored
+  /// values.
+  [[gnu::always_inline]] bool advance_slack(const DistanceMotion& now, double* values,
+                                            PersistentStep& step) const {
+    const auto* const by_law = std::get_if<LinearContact>(&contact());
+    if (!by_law) __builtin_unreachable();
+    const double last_rate = ContactState::last_rate_of(values);
+    const double load = load_of(now.rate, last_rate, ContactState::force_of(values));
+    ContactPoint point{contact_distance() - now.distance, now.rate};
+    if (!by_law->advance_slack(point, load, last_rate, step)) return false;
+    ContactState state = ContactState::stored(values);
+    go_on(now.rate, load - now.centrifugal, step, state);
+    state.store_persistent(values);
+    return true;
   }
 
   /// Any step. `external` as above, constant in the step; `velocity_step` [time]: how long the
@@ -253,15 +264,15 @@ class ContactSolver : public PairCourse {
   }
 
   /// What the other forces and the turning do to the distance of a persistent contact.
-  double load_of(double mean_rate, const ContactState& state) const {
-    return (mean_rate - state.last_rate) * inverse_step_ - state.force * inverse_mass_;
+  double load_of(double mean_rate, double last_rate, double force) const {
+    return (mean_rate - last_rate) * inverse_step_ - force * inverse_mass_;
   }
   /// advance_persistent(), by what moves the contact.
   template <class Contact>
   [[gnu::always_inline]] bool advance_persistent_as(const DistanceMotion& now, ContactState& state,
                                                     PersistentStep& result) const {
     const Contact& by_law = *std::get_if<Contact>(&contact());
-    const double load = load_of(now.rate, state);
+    const double load = load_of(now.rate, state.last_rate, state.force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
     if constexpr (std::is_same_v<Contact, LinearContact>) {
       if (!by_law.advance_persistent(point, load, state, result)) return false;

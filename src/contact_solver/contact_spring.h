@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "contact/contact_parameters.h"
+#include "contact_solver/contact_history.h"
 #include "contact_solver/discrete_spring.h"
 
 namespace cohesion::contact_solver {
@@ -53,6 +54,36 @@ class ContactSpring {
     if (!stiffens_ || !(now > before)) return 1.0;
     return contact::stretch_left(contact::point_of(law_, before).radius_stiffness,
                                  contact::point_of(law_, now).radius_stiffness);
+  }
+
+  /// The overlap of a persistent contact, and how much larger it was at the last time level,
+  /// [length].
+  struct Overlaps {
+    double now, decrease;
+  };
+  /// The impulse of a persistent contact whose normal motion does `normal`, that was persistent in
+  /// the last step, too. `values`: the stored spring; `linear`: the normal law is known to be so.
+  template <bool linear>
+  [[gnu::always_inline]] Vector3 persistent_impulse(const contact::Plane& plane,
+                                                    const Vector3& rate,
+                                                    const PersistentStep& normal,
+                                                    const Overlaps& overlap, double* values) const {
+    DiscreteSpring::State state{vector(values)};
+    Vector3 impulse;
+    if (linear || !stiffens_) {
+      bool slips;
+      impulse = constant_.advance_persistent(plane, rate, normal.repulsion, true, state, slips);
+    } else {
+      const double before = normal.radius_stiffness_before;
+      const double left = before >= 0.0
+                              ? contact::stretch_left(before, normal.at.radius_stiffness)
+                              : left_of_stretch(overlap.now + overlap.decrease, overlap.now);
+      state.stretch = left * state.stretch;
+      impulse = constant_.advance_persistent(plane, rate, normal.repulsion, constants_at(normal.at),
+                                             state);
+    }
+    ContactHistory::store(state, values);
+    return impulse;
   }
 
  private:

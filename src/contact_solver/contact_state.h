@@ -56,6 +56,8 @@ struct ContactState {
   static Phase phase_of(const double* values) {
     return static_cast<Phase>(static_cast<int>(values[0]));
   }
+  static double last_rate_of(const double* values) { return values[2]; }
+  static double force_of(const double* values) { return values[3]; }
   static ContactState stored(const double* values) {
     return {phase_of(values), values[1], values[2], values[3],
             values[4],        values[5], values[6], values[7]};

@@ -28,11 +28,10 @@ namespace cohesion::contact_solver {
 class EnergyAccount {
  public:
   /// step [time].
-  EnergyAccount(double reduced_mass, double step)
-      : reduced_mass_(reduced_mass), step_(step), exchange_(0.125 * step * step) {}
+  EnergyAccount(double reduced_mass, double step) : reduced_mass_(reduced_mass), step_(step) {}
 
   /// Of a contact with friction.
-  void leave_out_exchange() { exchange_ = 0.0; }
+  void leave_out_exchange() { exchanges_ = false; }
 
   /// R of a pair without a stored state, whose contact has the energy `stored`.
   static double at_start(double stored) { return -stored; }
@@ -58,7 +57,8 @@ class EnergyAccount {
   /// step; `external` [length/time^2]: acceleration of the distance by other forces in it.
   [[gnu::always_inline]] double exchanged(double force, double external,
                                           const ContactState& state) const {
-    return exchange_ * (force * state.external_before - state.force_before * external);
+    if (!exchanges_) return 0.0;
+    return 0.125 * step_ * step_ * (force * state.external_before - state.force_before * external);
   }
 
   /// Sets the force so that a pair with the account `r` flies on at the speed that closes it, but
@@ -90,7 +90,7 @@ class EnergyAccount {
 
   double reduced_mass_;
   double step_;
-  double exchange_;
+  bool exchanges_ = true;
 };
 
 }  // namespace cohesion::contact_solver

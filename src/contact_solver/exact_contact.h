@@ -82,53 +82,63 @@ class ExactContact {
 
   /// Whether a pair in its well, with nothing pending, certainly meets neither contact nor edge in
   /// this step, so that no force acts. `values`: the stored history; `flown`: as above.
-  [[gnu::always_inline]] bool is_idle(const RelativeState& now, const double* values,
+  template <class Motion>
+  [[gnu::always_inline]] bool is_idle(const Motion& motion, const double* values,
                                       double flown) const {
-    if constexpr (std::is_base_of_v<SquareWellSolver, Solver>)
-      return ContactState::is_idle(values) && solver_.is_clear(dot(now.separation, now.separation),
-                                                               step_ * norm(now.velocity) + flown);
-    else
+    if constexpr (std::is_base_of_v<SquareWellSolver, Solver>) {
+      if (!ContactState::is_idle(values)) return false;
+      const RelativeState now = motion.relative();
+      return solver_.is_clear(dot(now.separation, now.separation),
+                              step_ * norm(now.velocity) + flown);
+    } else {
       return false;
+    }
   }
 
-  /// Advances a contact that was persistent in the last step and certainly remains so. Returns
-  /// false, and does nothing, where that is not certain. `values`: the stored history; `linear`:
-  /// the normal law is known to be linear, and all data of the step fit into registers.
-  template <int SIZE, bool linear = false>
-  [[gnu::always_inline]] bool advance_persistent(const PairMotion& now, double* values,
+  /// Advances a contact of two spheres that was persistent in the last step and certainly remains
+  /// so, and adds to `step` what it does. Returns false, and does nothing, where that is not
+  /// certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has;
+  /// `values`: the stored history; `linear`: the normal law is known to be linear.
+  ///
+  /// Motion and history are read where they are used: otherwise they do not fit into registers.
+  template <int SIZE, bool linear = false, class Motion>
+  [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
                                                  FrictionalStep& step) const {
     if (values[0] != ContactState::persistent) return false;
-    const Vector3& s = now.relative.separation;
-    const Vector3& v = now.relative.velocity;
+    RelativeState relative = now.relative();
+    const Vector3& s = relative.separation;
+    const Vector3& v = relative.velocity;
     const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
-    ContactState normal = ContactState::stored(values);
     const double rate = inverse * dot(s, v);
-    const double speed_squared = bodies_.is_wall() ? rate * rate : dot(v, v);
     DistanceMotion motion =
-        DistanceMotion::of_pair(square * inverse, inverse, rate, speed_squared, step_);
+        DistanceMotion::of_pair(square * inverse, inverse, rate, dot(v, v), step_);
     PersistentStep does;
-    if (!(linear ? solver_.advance_linear(motion, normal, does)
-                 : solver_.advance_persistent(motion, normal, does)))
-      return false;
-    if (normal.phase != ContactState::persistent) return false;
-    normal.store_persistent(values);
+    if constexpr (linear) {
+      if (!solver_.advance_slack(motion, values, does)) return false;
+    } else {
+      ContactState normal = ContactState::stored(values);
+      if (!solver_.advance_persistent(motion, normal, does)) return false;
+      if (normal.phase != ContactState::persistent) return false;
+      normal.store_persistent(values);
+    }
     step.repulsion = step_ * does.repulsion;
-    step.action.impulse = (step_ * normal.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
-      ContactBodies::Touch touch(bodies_, s, inverse);
+      auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
       Vector3 across = v - (inverse * rate) * s;
-      const double overlap = bodies_.distance() - square * inverse;
-      step.friction = persistent_impulse<linear>(
-          sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), does,
-          overlap, values + ContactHistory::normal_only, normal);
+      const ContactSpring::Overlaps overlaps{bodies_.distance() - motion.distance,
+                                             step_ * motion.rate};
+      step.friction = sliding_.persistent_impulse<linear>(
+          touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), does,
+          overlaps, values + ContactHistory::normal_only);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
-            persistent_impulse<linear>(rolling_, touch,
-                                       touch.rolling_velocity(now.spin_i, now.spin_j), does,
-                                       overlap, values + ContactHistory::with_friction, normal),
+            rolling_.persistent_impulse<linear>(
+                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does, overlaps,
+                values + ContactHistory::with_friction),
             step.action);
     }
+    step.action.impulse += (step_ * does.force * inverse) * s;
     return true;
   }
 
@@ -282,31 +292,6 @@ class ExactContact {
     const double rate = inverse * dot(relative.separation, relative.velocity);
     const double across = dot(relative.velocity, relative.velocity) - rate * rate;
     return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
-  }
-
-  template <bool linear>
-  [[gnu::always_inline]] Vector3 persistent_impulse(const ContactSpring& spring,
-                                                    const ContactBodies::Touch& touch,
-                                                    const Vector3& rate, const PersistentStep& does,
-                                                    double overlap, double* values,
-                                                    const ContactState& normal) const {
-    DiscreteSpring::State state{vector(values), vector(values + 3)};
-    Vector3 impulse;
-    if (linear || !spring.stiffens()) {
-      bool slips;
-      impulse = spring.constant().advance_persistent(touch.plane(), rate, does.repulsion, true,
-                                                     state, slips);
-    } else {
-      const double before = does.radius_stiffness_before;
-      const double left = before >= 0.0
-                              ? contact::stretch_left(before, does.at.radius_stiffness)
-                              : spring.left_of_stretch(overlap + step_ * normal.last_rate, overlap);
-      state.stretch = left * state.stretch;
-      impulse = spring.constant().advance_persistent(touch.plane(), rate, does.repulsion,
-                                                     spring.constants_at(does.at), state);
-    }
-    ContactHistory::store(state, values);
-    return impulse;
   }
 
   /// The overlap at the next time level without other forces.

@@ -51,6 +51,7 @@ class LinearContact {
         inverse_mass_(1.0 / spring.reduced_mass()),
         adhesion_(attraction),
         pull_(attraction / spring.reduced_mass()),
+        bearable_(attraction > 0.0 ? pull_ : std::numeric_limits<double>::infinity()),
         attraction_(discrete_.stiffness * pull_ / oscillator_.w0_squared()),
         weight_(step < 0.5 * spring.contact_time() ? spring.stiffness() / discrete_.stiffness
                                                    : 1.0),
@@ -113,6 +114,13 @@ class LinearContact {
     if (!force_of(now, taut, load, step)) return false;
     step.account = dissipated(state.last_rate, now.rate);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
+    return true;
+  }
+  /// The same of a contact that is not taut, nor was in the last step; false where it is.
+  [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load, double last_rate,
+                                            PersistentStep& step) const {
+    if (is_taut(now.overlap, load) || !force_of(now, false, load, step)) return false;
+    step.account = dissipated(last_rate, now.rate);
     return true;
   }
   /// The same in the first step after a resolved one.
@@ -222,16 +230,16 @@ class LinearContact {
   }
   [[gnu::always_inline]] bool force_of(const ContactPoint& now, bool taut, double load,
                                        PersistentStep& step) const {
-    if (adhesion_ > 0.0 && !(load < pull_)) return false;
+    if (!(load < bearable_)) return false;
     const double dt = whole_step_.time;
     step.force = force(now, taut);
     step.repulsion = step.force + adhesion_;
     step.taut = taut;
-    const double next = -now.rate - dt * (step.force * inverse_mass_ + load);
-    // Between two time levels it may dip below both, most where what pulls is constant.
-    const double dip = 0.125 * dt * std::max(next + now.rate, 0.0);
-    const double least = certain * dt * std::abs(now.rate) + 2.0 * dip;
-    return now.overlap > least && now.overlap + dt * next > least;
+    const double change = dt * (step.force * inverse_mass_ + load);
+    // Between two time levels it may dip below both, by dt/8 of the change where what pulls is
+    // constant.
+    const double least = dt * (certain * std::abs(now.rate) + 0.25 * std::max(-change, 0.0));
+    return now.overlap > least && now.overlap - dt * (now.rate + change) > least;
   }
 
   /// Records an interval of contact, from s to `end`.
@@ -287,6 +295,7 @@ class LinearContact {
   double inverse_mass_;
   double adhesion_;        // F_ad
   double pull_;            // F_ad/mu
+  double bearable_;        // load at which a persistent contact parts; infinite without F_ad
   double attraction_;      // (K'/K) F_ad
   double weight_;          // K/K'; 1 where no contact persists
   double taut_overlap_;    // x_t

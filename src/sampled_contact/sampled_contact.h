@@ -55,11 +55,14 @@ class SampledContact {
   }
 
   /// Sampled contacts are all alike.
-  template <int SIZE, bool linear = false>
-  bool advance_persistent(const PairMotion&, double*, FrictionalStep&) const {
+  template <int SIZE, bool linear = false, class Motion>
+  bool advance_persistent(const Motion&, double*, FrictionalStep&) const {
     return false;
   }
-  bool is_idle(const RelativeState&, const double*, double) const { return false; }
+  template <class Motion>
+  bool is_idle(const Motion&, const double*, double) const {
+    return false;
+  }
 
   /// As ExactContact::advance(); other forces do not matter. Of `energies`, half of what the normal
   /// dashpot takes in the step around the time level is before it.

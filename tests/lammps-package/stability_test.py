@@ -45,9 +45,10 @@ class Campaign(unittest.TestCase):
                         self.assertEqual(point.law.scheme, "sampled", result)
                 if "refused" in result.verdicts.values():
                     self.assertNotEqual(result.said, "")
-        # Most points are within what the laws can do. In the campaign 2 % of the cases are marginal, of the sampled
-        # forces' one in five is wrong: of 50 and of 18 cases, three standard deviations above.
-        self.assertGreater(right, len(found))
+        # At least half of the points are within the range of the laws: those of Hertz and JKR begin at three steps per
+        # contact, and half of them stop. In the campaign 2 % of the cases are marginal, of the sampled forces' one in
+        # five is wrong: of 50 and of 18 cases, three standard deviations above.
+        self.assertGreaterEqual(right, len(found))
         self.assertLessEqual(marginal, 4)
         self.assertLessEqual(warned, 9)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sound in an ideal gas that carries free spheres along by stiff drag, in form B: the gas is the spring, the spheres are
 the mass, and a gas step that takes these to keep their velocity lets them be late. How fast waves grow, or die out, by the
-solver and by the eigenvalues of a step (docs/theory/waves.md)."""
+solver and by the eigenvalues of a step (docs/openfoam-coupling/stability.md)."""
 
 import unittest
 

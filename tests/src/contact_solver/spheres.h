@@ -77,8 +77,8 @@ class Spheres {
       c.energies = {};
       const Vector3 acceleration = relative_acceleration(c);
       if (last_dt_ != dt_) law.change_step(last_dt_, now, acceleration, c.history);
-      if (!recorded && !first_ && last_dt_ == dt_ &&
-          law.template advance_persistent<SIZE>(now, values, c.last)) {
+      if (!recorded && !first_ && last_dt_ == dt_ && c.j >= 0 &&
+          law.template advance_persistent<SIZE>(InSteps{now}, values, c.last)) {
         c.history = ContactHistory::stored(values, SIZE);
       } else {
         c.last = law.template advance<SIZE>(now, acceleration, first_, c.history,
@@ -175,6 +175,13 @@ class Spheres {
   }
 
  private:
+  /// A PairMotion as ExactContact::advance_persistent() reads it.
+  struct InSteps {
+    const PairMotion& now;
+    RelativeState relative() const { return now.relative; }
+    Vector3 spin_i() const { return now.spin_i; }
+    Vector3 spin_j() const { return now.spin_j; }
+  };
   void drift() {
     for (Sphere& s : spheres) s.x += dt_ * s.v;
     for (Wall& wall : walls) wall.place += dt_ * wall.velocity;

@@ -5,6 +5,7 @@ import math
 import numpy
 
 from cohesion_tests import lammps as engine
+from cohesion_tests.theory import hertzian_laws
 from cohesion_tests.thermo import processor_seconds, thermo_lines
 
 DIAMETER, DENSITY, STIFFNESS = 1e-3, 2650.0, 800.0
@@ -46,13 +47,27 @@ def table(output):
     return numpy.array(thermo_lines(output, 0)[1]), processor_seconds(output, 0)
 
 
-def follow(folder, steps_per_contact, duration, samples=50, ranks=1, **options):
-    """Runs data.spheres for `duration` [s] at t_c/steps_per_contact; table and seconds."""
-    dt = CONTACT_TIME / steps_per_contact
+def contact_time(law, speed):
+    """Of the mean impact in a gas with component speed `speed`, [s]."""
+    return CONTACT_TIME if law == "linear" else hertzian_laws.contact_time(law, hertzian_laws.mean_impact(speed))
+
+
+def law_words(law):
+    """Variables of the scripts, for laws that are not linear."""
+    if law == "linear":
+        return {}
+    style, normal = hertzian_laws.lammps(law)
+    return {"law": law, "style": style, "normal": normal}
+
+
+def follow(folder, steps_per_contact, duration, samples=50, ranks=1, law="linear", time=CONTACT_TIME, **options):
+    """Runs data.spheres for `duration` [s] at t_c/steps_per_contact; table and seconds. time: t_c, where law is one of
+    hertzian_laws."""
+    dt = time / steps_per_contact
     every = max(1, round(duration / dt / samples))
     values = {"scheme": "exact", "K": STIFFNESS, "e": 1.0, "mu": 0.0, "dratio": 0.5, "A": 0.0,
               "cut": 4e-10, "out": 1e-7, "skin": 0.2 * DIAMETER, "D": DIAMETER, "file": "end.txt",
-              **options}
+              **law_words(law), **options}
     return table(engine.run("in.gran_hamaker_gas", folder, ranks=ranks, dt=dt,
                             steps=every * samples, every=every, **values))
 
@@ -62,6 +77,6 @@ def kept(folder, steps_per_contact, fraction, speed, **options):
     of the start over that of the start, of a line through samples about then."""
     duration = 20 / collision_rate(fraction, speed)
     table, _ = follow(folder, steps_per_contact, duration, **options)
-    time = table[:, 0] * CONTACT_TIME / steps_per_contact / duration
+    time = table[:, 0] * options.get("time", CONTACT_TIME) / steps_per_contact / duration
     about = (time > 0.5) & (time < 0.9)
     return numpy.exp(numpy.polyval(numpy.polyfit(time[about], numpy.log(table[about, 3]), 1), 0.7)) / table[0, 3]

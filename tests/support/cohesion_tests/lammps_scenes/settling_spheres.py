@@ -4,6 +4,7 @@ import numpy
 
 from cohesion_tests import lammps as engine
 from cohesion_tests.lammps_scenes import cohesive_gas as gas
+from cohesion_tests.theory import hertzian_laws
 
 GRAVITY, CUT = 9.81, 4e-10
 
@@ -33,13 +34,14 @@ def write(folder, side, layers, seed):
                                          (0.0, (layers + 3) * step)], 2)
 
 
-def follow(folder, steps_per_contact, duration, samples=50, ranks=1, **options):
-    """Thermo table (step, kinetic energy, largest speed, residual) and processor seconds."""
-    dt = gas.CONTACT_TIME / steps_per_contact
+def follow(folder, steps_per_contact, duration, samples=50, ranks=1, law="linear", **options):
+    """Thermo table (step, kinetic energy, largest speed, residual) and processor seconds. law: one of hertzian_laws, of
+    which t_c is that at 0.1 m/s."""
+    dt = (gas.CONTACT_TIME if law == "linear" else hertzian_laws.contact_time(law, 0.1)) / steps_per_contact
     every = max(1, round(duration / dt / samples))
     values = {"scheme": "exact", "K": gas.STIFFNESS, "e": 0.9, "mu": 0.3, "A": 0.0, "cut": CUT,
               "out": 1e-7, "skin": 0.2 * gas.DIAMETER, "D": gas.DIAMETER, "file": "end.txt",
-              **options}
+              **gas.law_words(law), **options}
     return gas.table(engine.run("in.gran_hamaker_settling", folder, ranks=ranks, dt=dt,
                                 steps=every * samples, every=every, **values))
 

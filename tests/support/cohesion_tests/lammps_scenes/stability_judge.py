@@ -15,10 +15,11 @@ far off; or of other outcome, and one of the two has the same, or, of scheme exa
 with less energy than speeds off by the aim change (barely_parted); `not judged`: no reference, or wrong where round-off
 alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other;
 `reference crashed` (hangs, refused): one that would be needed to say. What is not a number is always `wrong`.
-Aims: one contact without friction 1e-6 once parted, and of spheres by what angle their line of centres is off in a
-contact, up to u V dt^2/d^2 (docs/theory/exact_contacts.md), and what their centrifugal force adds, which overlaps
-bear with K' (turning_load); with friction or several contacts second order, (w dt)^2, and where a particle has several
-contacts with friction first order of the dashpot (late_dashpot), at most 0.1 in all; while together also what the
+Aims: of Hertz's and JKR's contacts second order, (w dt)^2; of others one contact without friction 1e-6 once parted, and
+of spheres by what angle their line of centres is off in a contact, up to u V dt^2/d^2 (docs/theory/exact_contacts.md),
+and what their centrifugal force adds, which overlaps bear with K' (turning_load); with friction or several contacts
+second order, (w dt)^2, and where a particle has several contacts with friction first order of the dashpot
+(late_dashpot), at most 0.1 in all; while together also what the
 place on the grid may differ from that of the motion, (w dt)^2/8, in wells w dt; and what the last digit of the largest
 place is of s/w, times the number of steps. Where that is more than 0.1 the aim is 0.1, and what is off by more, but by
 no more than that, is `not judged: coarse`. Where a sphere flies less than four such digits in a fine step nothing is
@@ -225,7 +226,7 @@ def fine_run(point, engine):
     # What the line of centres of two spheres may be off by after a contact; that of a wall stays.
     across = p["speed"] * math.sin(math.radians(p["angle"]))
     turning = 0.0
-    if not point.law.wall:
+    if not point.law.wall and not is_integrated(point):
         turning = point.scale * across * (point.dt / point.reach)**2 + turning_load(point, across)
     roundoff = digit * point.w0 / point.scale * point.duration / point.dt * REFERENCE
 
@@ -233,7 +234,7 @@ def fine_run(point, engine):
         if point.law.scheme == "sampled":
             return lambda held: up_to(MOST)
         if name == "first":
-            alone = angle**2 if p["mu"] else 1e-6 + turning
+            alone = angle**2 if p["mu"] or is_integrated(point) else 1e-6 + turning
         else:
             alone = angle**2 + late_dashpot(point)
         alone = min(alone, MOST)
@@ -245,6 +246,11 @@ def fine_run(point, engine):
         return of
 
     return state, {name: (end, aim(name)) for name in point.cases()}
+
+
+def is_integrated(point):
+    """Whether the law has no closed form; a contact's error is of second order then."""
+    return "E" in point.values
 
 
 def damping_ratio(restitution):
@@ -322,7 +328,7 @@ def event_driven(point, spheres, change):
 def closed_form(point, end):
     """Error of the energy that a head-on impact leaves; None where it does not apply."""
     p = point.values
-    if p["angle"] or p["mu"] or p["overlap"] or not p["speed"]:
+    if is_integrated(point) or p["angle"] or p["mu"] or p["overlap"] or not p["speed"]:
         return None
     left, touch = point.law.head_on(point)
     # Else it may be on its way still.

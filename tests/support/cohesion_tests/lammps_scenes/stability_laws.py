@@ -8,11 +8,11 @@ from cohesion_tests.lammps_scenes import stability_points as points
 class Soft:
     """Spring and dashpot with an attraction."""
 
-    hard = False
+    hard, normal = False, ""
 
     def __init__(self, scheme, wall=False):
         self.scheme, self.wall = scheme, wall
-        self.name = f"{'fix wall/' if wall else ''}{self.style}, {scheme}"
+        self.name = f"{'fix wall/' if wall else ''}{self.style}{self.normal}, {scheme}"
 
     def lines(self, point, scheme):
         contact = self.contact(point)
@@ -90,6 +90,81 @@ class Hamaker(Soft):
             return -1.0, u
         w = rate(brentq(overlap, peak, end, xtol=1e-15))
         return (w * w - 2 * point.well / point.mu) / u**2, u
+
+
+class Integrated:
+    """Contacts without a closed form, of a modulus; Poisson's ratio 0.3. Their contact time is that of an elastic impact at
+    the largest speed."""
+
+    def base_contact(self, point):
+        p = point.values
+        return f"normal hertz {p['E']:.17g} 0.3 restitution {p['e']:.17g} friction {p['mu']:.17g}"
+
+    def reduced_radius(self, point):
+        return points.RADIUS if self.wall else points.RADIUS / (1 + point.values["ratio"])
+
+    def star(self, point):
+        """E*."""
+        return point.values["E"] / (2 * (1 - 0.3**2))
+
+    def stiffness(self, point, radius):
+        """k of F = k x^1.5."""
+        return 4 / 3 * self.star(point) * math.sqrt(radius)
+
+    def derive_contact(self, point, other_speed):
+        """Scale and contact time; other_speed: that the attraction adds."""
+        p, k = point.values, self.stiffness(point, self.reduced_radius(point))
+        deep = p["overlap"] * point.reach
+        point.scale = max(p["speed"], other_speed, math.sqrt(0.8 * k * deep**2.5 / point.mu), 1e-300)
+        point.contact = 2.943275 * (1.25 * point.mu / k)**0.4 * point.scale**-0.2
+        self.derive_steps(point, 0.0)
+
+
+class Hertz(Integrated, Hamaker):
+    base, corners, normal = points.HERTZ, points.HERTZ_CORNERS, " normal hertz"
+    random = staticmethod(points.hertz_point)
+    head_on = None
+
+    def derive(self, point):
+        p, reduced = point.values, self.reduced_radius(point)
+        point.force = p["A"] * reduced / (6 * p["cut"]**2)
+        point.well = p["A"] * reduced / 6 * (1 - 0.01) / p["cut"] + point.force * p["cut"]
+        pull = p["A"] * points.RADIUS / 2 / (6 * p["cut"]**2)
+        point.deep = (pull / self.stiffness(point, points.RADIUS / 2))**(2 / 3)
+        # On the way to contact, and in it up to where the attraction is that of the spring.
+        rest = (point.force / self.stiffness(point, reduced))**(2 / 3)
+        self.derive_contact(point, math.sqrt(2 * (point.well + 0.6 * point.force * rest) / point.mu))
+        point.gap = p["cut"] + point.ahead
+
+
+class Jkr(Integrated, Soft):
+    style, base, corners = "gran/jkr", points.JKR, points.JKR_CORNERS
+    random = staticmethod(points.jkr_point)
+    head_on = None
+
+    def contact(self, point):
+        return f"{self.base_contact(point)} surface_energy {point.values['gamma']:.17g}"
+
+    def lines(self, point, scheme):
+        return super().lines(point, "exact")
+
+    def neck(self, point, radius):
+        """Radius of contact and overlap at rest without a load, and the gap at which the neck tears."""
+        work, star = 2 * point.values["gamma"], self.star(point)
+        wide = (4.5 * math.pi * work * radius**2 / star)**(1 / 3)
+        return wide, wide**2 / (3 * radius), 0.75 * (math.pi**2 * work**2 * radius / star**2)**(1 / 3)
+
+    def derive(self, point):
+        work, reduced = 2 * point.values["gamma"], self.reduced_radius(point)
+        point.tearing = self.neck(point, reduced)[2]
+        point.deep = self.neck(point, points.RADIUS / 2)[1]
+        lost = 7.0922 * (work**5 * reduced**4 / self.star(point)**2)**(1 / 3)
+        self.derive_contact(point, math.sqrt(2 * lost / point.mu))
+        point.force = point.well = 0.0
+        point.gap = point.ahead
+
+    def outcome_gap(self, point):
+        return point.tearing + point.scale * point.dt
 
 
 class Well:
@@ -179,4 +254,5 @@ class Hard(Well):
 
 
 LAWS = (Hamaker("exact"), Hamaker("sampled"), SquareWell("exact"), SquareWell("sampled"), Hard(),
-        Hamaker("exact", wall=True), SquareWell("exact", wall=True), SquareWell("sampled", wall=True), Hard(wall=True))
+        Hamaker("exact", wall=True), SquareWell("exact", wall=True), SquareWell("sampled", wall=True), Hard(wall=True),
+        Hertz("exact"), Jkr("exact"), Hertz("exact", wall=True), Jkr("exact", wall=True))

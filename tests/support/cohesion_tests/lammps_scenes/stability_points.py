@@ -18,7 +18,11 @@ PERIODS = 6  # contact times that a run lasts, besides the flight through a well
 BASE = dict(K=800.0, e=0.9, ratio=1.0, weight=1.0, speed=0.05, steps=10.0, mu=0.0, angle=30.0, overlap=0.0)
 HAMAKER = dict(BASE, cut=4e-10, A=7.5e-19)
 WELL = dict(BASE, depth=0.4, width=0.3)
-UNITS = dict(K="N/m", cut="m", A="J", speed="m/s", angle="deg")
+# E, gamma: modulus and surface energy of Hertz's and JKR's contacts; their contact time is that of an elastic impact at the
+# largest speed of the point.
+HERTZ = {"E": 5e7, **{name: value for name, value in HAMAKER.items() if name != "K"}}
+JKR = {"E": 5e7, **{name: value for name, value in BASE.items() if name != "K"}, "gamma": 0.01}
+UNITS = dict(K="N/m", E="Pa", cut="m", A="J", gamma="J/m2", speed="m/s", angle="deg")
 NAMES = dict(ratio="radius ratio", weight="density ratio", cut="H_cut", steps="t_c/dt", mu="friction",
              overlap="overlap/(r_i+r_j)")
 
@@ -37,6 +41,19 @@ def common(random):
 def hamaker_point(random):
     return dict(common(random), cut=log(random, 1e-10, 1e-7),
                 A=float(random.choice([0.0, *[log(random, 1e-21, 1e-16) for _ in range(7)]])))
+
+
+def hertz_point(random):
+    return with_modulus(hamaker_point(random), log(random, 1e6, 1e11), log(random, 3, 40))
+
+
+def jkr_point(random):
+    point = with_modulus(common(random), log(random, 1e6, 1e11), log(random, 3, 40))
+    return dict(point, gamma=log(random, 1e-5, 1))
+
+
+def with_modulus(point, modulus, steps):
+    return {**{name: value for name, value in point.items() if name != "K"}, "E": modulus, "steps": steps}
 
 
 def well_point(random):
@@ -65,6 +82,20 @@ HAMAKER_CORNERS = (
     [dict(overlap=o, speed=0.0, A=a) for o in (1e-6, 0.1) for a in (0.0, 7.5e-19)] +
     [dict(overlap=0.1, speed=0.0, K=10.0), dict(overlap=0.1, speed=0.0, K=1e7)] +
     [dict(speed=1e-9, A=0.0), dict(speed=1e-9, A=1e-16)])
+STIFFNESS_TO_MODULUS = {10.0: 1e6, 1e7: 1e11}
+
+
+def of_modulus(corners):
+    """The corner points of a linear spring, of a modulus; without steps that stop a run of any contact."""
+    return [{("E" if name == "K" else name): STIFFNESS_TO_MODULUS[value] if name == "K" else value
+             for name, value in corner.items()} for corner in corners if corner.get("steps", 4.0) >= 4.0]
+
+
+HERTZ_CORNERS = [dict(steps=2.0), dict(steps=6.0), *of_modulus(HAMAKER_CORNERS)]
+JKR_CORNERS = ([dict(steps=2.0), dict(steps=6.0), *of_modulus(COMMON_CORNERS)]
+               + [dict(gamma=g) for g in (1e-6, 1e-3, 0.05, 1.0)] + [dict(gamma=0.05, E=e) for e in (1e6, 1e11)]
+               + [dict(overlap=o, speed=0.0) for o in (1e-6, 0.1)]
+               + [dict(speed=1e-9, gamma=g) for g in (1e-6, 1.0)])
 WELL_CORNERS = (
     COMMON_CORNERS + [dict(depth=d, width=w) for d in (0.0, 1e-3, 1e3) for w in (0.0, 1e-3, 10.0)] +
     [dict(overlap=o, speed=1e-9) for o in (1e-6, 0.1)] + [dict(width=w, angle=89.9) for w in (0.0, 1e-3, 10.0)])
@@ -94,7 +125,7 @@ class Point:
         self.mass = [4 / 3 * math.pi * r**3 * d for r, d in zip(self.radius, self.density)]
         self.mu = self.mass[1] if law.wall else self.mass[0] * self.mass[1] / sum(self.mass)
         self.reach = self.radius[1] if law.wall else sum(self.radius)
-        self.contact = math.pi / math.sqrt(p["K"] / self.mu)
+        self.contact = math.pi / math.sqrt(p["K"] / self.mu) if "K" in p else math.nan
         self.start = random.uniform(0.2, 1.2)  # steps from the edge
         law.derive(self)
 

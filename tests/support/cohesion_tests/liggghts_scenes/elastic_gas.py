@@ -8,7 +8,10 @@ import numpy
 from scipy.spatial import cKDTree
 
 from cohesion_tests.liggghts import Run
-from cohesion_tests.liggghts_scenes.scene import MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere
+from cohesion_tests.liggghts_scenes import impacts
+from cohesion_tests.liggghts_scenes.scene import (MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere,
+                                                  surface_energy)
+from cohesion_tests.theory import hertz_contact, hertzian_laws
 from cohesion_tests.theory.pair_motion import CUT, OUT
 
 DIAMETER = 2 * RADIUS
@@ -71,6 +74,13 @@ def energy(frame, side, pair):
     return kinetic_energy(frame) + spring_energy(near) + attraction.sum() + sum(map(pair.adhesion_energy, between))
 
 
+def hertzian_energy(frame, side, two):
+    """As energy(), two: theory.hertz_contact.HertzPair."""
+    near = gaps(frame, side, hertz_contact.CUT)
+    springs = 0.4 * two.k * (numpy.maximum(-near, 0.0)**2.5).sum()
+    return kinetic_energy(frame) + springs + sum(map(two.energy, near)) * (two.hamaker > 0)
+
+
 def frictional(restitution, friction):
     """As elastic(), with friction: K_t = 2/7 K and half of the normal damping, as in lammps_scenes.cohesive_gas."""
     values = {"kt": 2 / 7 * STIFFNESS, "gammat_abs": 0.5 * damping(restitution), "coefficientFriction": friction}
@@ -91,14 +101,28 @@ def tally_lines(run):
     return [[float(word) for word in words] for words in lines if len(words) == 15 and words[0].isdigit()]
 
 
-def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, duration, scheme="exact"):
+def hertzian(law, restitution, friction):
+    """Models, properties of the cohesion and contacts of one of hertzian_laws, as in lammps_scenes.cohesive_gas."""
+    models = (f"model hertz tangential {'history' if friction else 'off'} cohesion {'jkr' if law == 'jkr' else 'hamaker'} "
+              f"tangential_damping {'on' if friction else 'off'}{'' if law == 'jkr' else ' scheme exact'}")
+    attraction = surface_energy(hertzian_laws.SURFACE_ENERGY) if law == "jkr" else hamaker(
+        hertzian_laws.HAMAKER if law == "dmt" else 0.0, cut=hertz_contact.CUT, out=hertz_contact.OUT)
+    contacts = impacts.contacts(restitution, friction).replace("peratomtype 5e6 5e6", "peratomtype {0:g} {0:g}".format(
+        hertzian_laws.MODULUS))
+    return models, attraction, contacts
+
+
+def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, duration, scheme="exact", law="linear"):
     """Lines of the energy tally of gas() in `duration` [s]; none where the step is not stable."""
     spheres, side = gas(edge, fraction, speed=speed)
     steps = round(duration / dt)
     models = (f"model hooke/stiffness tangential {'history' if friction else 'off'} cohesion hamaker "
               f"absolute_damping on tangential_damping {'on' if friction else 'off'} scheme {scheme}")
-    run = Run(script(spheres, models, hamaker(constant, cut=CUT, out=OUT), dt=dt, steps=steps, every=steps,
-                     contacts=frictional(restitution, friction), boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
+    attraction, contacts = hamaker(constant, cut=CUT, out=OUT), frictional(restitution, friction)
+    if law != "linear":
+        models, attraction, contacts = hertzian(law, restitution, friction)
+    run = Run(script(spheres, models, attraction, dt=dt, steps=steps, every=steps,
+                     contacts=contacts, boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
                      skin=2e-4, extra=TALLY + PRINT.format(every=steps)))
     if run.code and "unstable, so that they gain energy" in run.output:
         return []

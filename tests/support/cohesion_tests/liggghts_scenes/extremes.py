@@ -31,7 +31,7 @@ import numpy
 
 from cohesion_tests import dumps, launcher
 from cohesion_tests.brief_warnings import ROUNDED, fits, of_own, short, warnings
-from cohesion_tests.liggghts_scenes.extremes_points import DENSITY, LAWS, RADIUS, Partners
+from cohesion_tests.liggghts_scenes.extremes_points import ALL, DENSITY, INTEGRATED, RADIUS, partners
 
 AIM, FINER = 0.1, 16
 SECONDS = 120  # far above what a run takes, on a busy machine too
@@ -57,7 +57,7 @@ neighbor {skin:.17g} nsq
 neigh_modify delay 0
 {spheres}{properties}
 fix e all property/global coefficientFriction peratomtypepair 2 0 0 0 0
-pair_style gran model hooke/stiffness tangential off cohesion {law} scheme {scheme}
+pair_style gran {models}
 pair_coeff * *
 {wall}fix move all nve/sphere
 timestep {dt:.17g}
@@ -75,33 +75,50 @@ def matrix(name, *values):
             f"{other:.17g}\n")
 
 
-def run(program, law, scheme, partners, dampings, spheres, finer=1, wall=False, times=(0.0,)):
+def contacts(law, scheme, two, dampings):
+    """What follows `pair_style gran` and a wall's shape, and the properties."""
+    p, cohesion = two.values, law.split()[0]
+    text = ""
+    if law in INTEGRATED:
+        models = f"model hertz tangential off cohesion {cohesion}"
+        # Moduli above 1e9 Pa need it.
+        text = ("hard_particles yes\n"
+                f"fix E all property/global youngsModulus peratomtype {p['E']:.17g} {p['E']:.17g}\n"
+                "fix nu all property/global poissonsRatio peratomtype 0.3 0.3\n"
+                + matrix("coefficientRestitution", p["e"]))
+    else:
+        models = f"model hooke/stiffness tangential off cohesion {cohesion}"
+        text = ("".join(matrix(name, p["K"]) for name in ("kn", "kt")) + matrix("gamman", *dampings)
+                + matrix("gammat", 0.0))
+    if law == "jkr":
+        return models, "", text + matrix("surfaceEnergy", p["gamma"])
+    if cohesion == "hamaker":
+        return models, f" scheme {scheme}", text + (
+            matrix("hamakerConstant", p["A"])
+            + f"fix c all property/global hamakerSurfaceCutoff scalar {p['cut']:.17g}\n"
+            f"fix o all property/global hamakerOuterCutoff scalar {100 * p['cut']:.17g}\n")
+    ratio = 1 + two.edge / two.reach
+    return models, f" scheme {scheme}", text + (
+        matrix("wellDepth", two.depth)
+        + f"fix r all property/global wellRatio peratomtype {ratio:.17g} {ratio:.17g}\n")
+
+
+def run(program, law, scheme, two, dampings, spheres, finer=1, wall=False, times=(0.0,)):
     """State, what was said, and for each of `times`, contact times after the end, rows of id, place, velocity.
     spheres: type, radius, density, place, velocity."""
-    p, dt = partners.values, partners.dt / finer
-    far = 2 * (partners.duration * partners.scale + 4 * RADIUS + abs(partners.gap)) + 4 * partners.seen
-    skin = max(0.2 * RADIUS, 2.5 * partners.seen, 30 * partners.dt * partners.scale)
-    properties = "".join(matrix(name, p["K"]) for name in ("kn", "kt")) + matrix("gamman", *dampings) + matrix(
-        "gammat", 0.0)
-    if law == "hamaker":
-        properties += (matrix("hamakerConstant", p["A"])
-                       + f"fix c all property/global hamakerSurfaceCutoff scalar {p['cut']:.17g}\n"
-                       f"fix o all property/global hamakerOuterCutoff scalar {100 * p['cut']:.17g}\n")
-    else:
-        ratio = 1 + partners.edge / partners.reach
-        properties += (matrix("wellDepth", partners.depth)
-                       + f"fix r all property/global wellRatio peratomtype {ratio:.17g} {ratio:.17g}\n")
+    p, dt = two.values, two.dt / finer
+    far = 2 * (two.duration * two.scale + 4 * RADIUS + abs(two.gap)) + 4 * two.seen
+    skin = max(0.2 * RADIUS, 2.5 * two.seen, 30 * two.dt * two.scale)
+    models, keywords, properties = contacts(law, scheme, two, dampings)
     text = "".join(f"create_atoms {kind} single {x[0]:.17g} {x[1]:.17g} {x[2]:.17g} units box\n"
                    f"set atom {n} diameter {2 * r:.17g} density {d:.17g} vx {v[0]:.17g} vy {v[1]:.17g} vz {v[2]:.17g}\n"
                    for n, (kind, r, d, x, v) in enumerate(spheres, 1))
-    line = (f"fix w all wall/gran model hooke/stiffness tangential off cohesion {law} primitive type 2 xplane 0 "
-            f"scheme {scheme}\n"
-            if wall else "")
-    end = math.ceil(partners.duration / partners.dt)
+    line = f"fix w all wall/gran {models} primitive type 2 xplane 0{keywords}\n" if wall else ""
+    end = math.ceil(two.duration / two.dt)
     # A dump comes at all multiples of its step: the last of them is wanted, which is none of the other's.
     dumped = {f"at{n}": (end + math.ceil(time * p["steps"])) * finer for n, time in enumerate(times)}
-    script = SCRIPT.format(box=" ".join(3 * [f"{-far:.17g} {far:.17g}"]), skin=skin, spheres=text, law=law,
-                           scheme=scheme, wall=line, properties=properties, dt=dt, last=max(dumped.values()),
+    script = SCRIPT.format(box=" ".join(3 * [f"{-far:.17g} {far:.17g}"]), skin=skin, spheres=text, models=models + keywords,
+                           wall=line, properties=properties, dt=dt, last=max(dumped.values()),
                            dumps="".join(DUMP.format(name=name, step=step) for name, step in dumped.items()))
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "in.script").write_text(script)
@@ -128,12 +145,12 @@ def verdict(said, right):
 
 
 def judge_two(program, law, scheme, values, start, wall):
-    p = {**LAWS[law], **values}
+    p = {**ALL[law], **values}
     small = RADIUS / p["ratio"]
     density = DENSITY * p["weight"]
     mass = lambda r, d: 4 / 3 * math.pi * r**3 * d
     masses = [mass(small, density)] if wall else [mass(small, density), mass(RADIUS, DENSITY)]
-    pair = Partners(law, p, [small] if wall else [small, RADIUS], masses, start)
+    pair = partners(law, p, [small] if wall else [small, RADIUS], masses, start)
     share = [1.0] if wall else [masses[1] / sum(masses), -masses[0] / sum(masses)]
     spheres = [(1, small, density, (pair.reach + pair.gap if not wall else small + pair.gap, 0, 0),
                 (-share[0] * p["speed"], 0, 0))]
@@ -147,6 +164,16 @@ def judge_two(program, law, scheme, values, start, wall):
     speed = end[0, 4] if wall else end[0, 4] - end[1, 4]
     if p["overlap"]:
         return verdict(said, abs(speed) / pair.scale - 1 < AIM), None, said
+    if law in INTEGRATED:
+        state, fine_said, fine = run(program, law, scheme, pair, (0.0, pair.gamman, 0.0), spheres, finer=FINER, wall=wall)
+        if state != "ran":
+            return f"reference {state}", None, fine_said
+        if fits(fine_said, (ROUNDED,)) == "warned":
+            return "no reference", None, said
+        stuck = [(e[0, 1] - small if wall else abs(e[0, 1] - e[1, 1]) - pair.reach) < pair.edge for e in (end, fine[0])]
+        # Of the two that stick, places on the time levels are those of a swing.
+        error = 0.0 if all(stuck) else float(numpy.abs(end[:, 4:7] - fine[0][:, 4:7]).max() / pair.scale)
+        return verdict(said, error < AIM), error, said
     known, now = pair.left_over(), 0.5 * pair.mu * speed**2 + pair.energy(gap)
     stuck = now < 0 or (known < 0 and gap < pair.edge)
     error = 0.0 if known < 0 and stuck else abs(
@@ -156,14 +183,14 @@ def judge_two(program, law, scheme, values, start, wall):
 
 
 def judge_three(program, law, scheme, values, start):
-    p = {**LAWS[law], **values}
+    p = {**ALL[law], **values}
     if p["overlap"]:
         return "not set up", None, ""
     small, density = RADIUS / p["ratio"], DENSITY * p["weight"]
     mass = lambda r, d: 4 / 3 * math.pi * r**3 * d
-    one = Partners(law, p, [small, RADIUS], [mass(small, density), mass(RADIUS, DENSITY)], start)
-    equal = Partners(law, p, [RADIUS, RADIUS], 2 * [mass(RADIUS, DENSITY)], start)
-    deep = equal.force / p["K"]
+    one = partners(law, p, [small, RADIUS], [mass(small, density), mass(RADIUS, DENSITY)], start)
+    equal = partners(law, p, [RADIUS, RADIUS], 2 * [mass(RADIUS, DENSITY)], start)
+    deep = equal.deep if law in INTEGRATED else equal.force / p["K"]
     if deep > 0.5 * RADIUS:
         return "not set up", None, ""
     way = numpy.array([math.cos(0.5), math.sin(0.5), 0])

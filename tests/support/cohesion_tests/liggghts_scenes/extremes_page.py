@@ -6,14 +6,14 @@ import csv
 import textwrap
 
 from cohesion_tests.liggghts_scenes.extremes import CASES, KINDS, SILENT, said_of
-from cohesion_tests.liggghts_scenes.extremes_points import LAWS, name_of
+from cohesion_tests.liggghts_scenes.extremes_points import ALL, name_of
 
 # Verdicts in the words of the page.
 WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
          "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
 COLUMNS = ("model", "points", "varied", *CASES, "reported")
-SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* contacts at the ends of their parameters and "
-           "at random points between. ")
+SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* and *hertz* contacts at the ends of "
+           "their parameters and at random points between. ")
 PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
 
 {summary}
@@ -23,10 +23,10 @@ benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS --table FILE
 benchmarks/liggghts-styles/extremes-campaign.py --remake FILE
 ```
 
-The cases are a head-on *pair* of spheres, a sphere and a *wall* (both compared with the closed form), and *three
-spheres*, of which one strikes two in contact (compared at two times with a sixteenth of the step; one must agree). A
-case is correct if the same particles stick and speeds agree within 0.1 of the largest speed. Points that are not set up
-would overlap by half a radius; without a reference the finer run warned of rounding.
+The cases are a head-on *pair* of spheres, a sphere and a *wall* (compared with the closed form; *hertz* with a
+sixteenth of the step), and *three spheres*, of which one strikes two in contact (compared at two times with a sixteenth
+of the step; one must agree). A case is correct if the same particles stick and speeds agree within 0.1 of the largest
+speed. Points that are not set up would overlap by half a radius; without a reference the finer run warned of rounding.
 
 ## Outcomes
 
@@ -116,7 +116,7 @@ def of_silent(counts):
 
 def of_bases():
     """Values of the base points of all laws, and those of each."""
-    values = {law: name_of(own).split(", ") for law, own in LAWS.items()}
+    values = {law: name_of(own).split(", ") for law, own in ALL.items()}
     common = [value for value in next(iter(values.values())) if all(value in own for own in values.values())]
     rest = "; ".join(f"*{law}* " + ", ".join(value for value in own if value not in common)
                      for law, own in values.items())
