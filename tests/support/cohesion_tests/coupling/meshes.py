@@ -200,3 +200,6 @@ mergeTolerance 1e-6;
     case.run("snappyHexMesh", "-overwrite")
     # The snap moves corners on the box's sides by a hundredth of a cell.
     move_points(case, lambda points: np.where(points < 3e-4, 0, np.where(points > SIZE - 3e-4, SIZE, points)))
+
+
+FIXED = {"perturbed": perturbed, "cone": cone}
