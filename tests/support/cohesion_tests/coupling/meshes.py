@@ -8,7 +8,7 @@
 
 and, for gas alone or fixed spheres:
 
-    perturbed    blockMesh: hexahedra whose inner corners are moved at random by 27 % of an edge in each direction
+    perturbed    blockMesh: hexahedra whose inner corners are moved at random by up to 30 % of an edge in each direction
     cone         snappyHexMesh: cubes around a cone that stands on the floor, their corners pulled onto it"""
 
 import itertools
@@ -142,7 +142,7 @@ def move_points(case, moved):
     path.write_text(head + "\n".join(f"({x!r} {y!r} {z!r})" for x, y, z in points.tolist()) + end)
 
 
-def perturbed(case, cells=(4, 4, 12), share=0.27):
+def perturbed(case, cells=(5, 5, 15), share=0.3):
     def moved(points):
         inner = np.all((points > 1e-9) & (points < SIZE - 1e-9), axis=1)
         points[inner] += share * SIZE / cells * np.random.default_rng(1).uniform(-1, 1, (inner.sum(), 3))
