@@ -4,9 +4,15 @@
     skewed       blockMesh: hexahedra whose faces lean by up to 27 degrees, their corners pulled up and down
     tetrahedra   gmshToFoam: five or six to where a cube was, corners moved at random
     polyhedra    polyDualMesh of those: around each of their corners a cell, with warped faces
-    refined      refineMesh: cubes beside cubes of half the size, with hanging corners"""
+    refined      refineMesh: cubes beside cubes of half the size, with hanging corners
+
+and, for gas alone or fixed spheres:
+
+    perturbed    blockMesh: hexahedra whose inner corners are moved at random by up to 30 % of an edge in each direction
+    cone         snappyHexMesh: cubes around a cone that stands on the floor, their corners pulled onto it"""
 
 import itertools
+import re
 
 import numpy as np
 
@@ -121,3 +127,79 @@ writeMesh no;
 
 
 MESHES = {"skewed": skewed, "tetrahedra": tetrahedra, "polyhedra": polyhedra, "refined": refined}
+
+
+def set_cells(case, *cells):
+    edit = case.folder / "system/blockMeshDict"
+    edit.write_text(re.sub(r"\(\d+ \d+ \d+\)(\s+simpleGrading)", rf"({' '.join(map(str, cells))})\1", edit.read_text()))
+
+
+def move_points(case, moved):
+    """Replaces the corners of a mesh, an array [corner, axis], by those that moved() gives of it."""
+    path = case.folder / "constant/polyMesh/points"
+    head, rows, end = re.fullmatch(r"(.*?\n\d+\s*\n\(\n)(.*?)(\n\)\s.*)", path.read_text(), re.S).groups()
+    points = moved(np.array(rows.replace("(", " ").replace(")", " ").split(), float).reshape(-1, 3))
+    path.write_text(head + "\n".join(f"({x!r} {y!r} {z!r})" for x, y, z in points.tolist()) + end)
+
+
+def perturbed(case, cells=(5, 5, 15), share=0.3):
+    def moved(points):
+        inner = np.all((points > 1e-9) & (points < SIZE - 1e-9), axis=1)
+        points[inner] += share * SIZE / cells * np.random.default_rng(1).uniform(-1, 1, (inner.sum(), 3))
+        return points
+
+    set_cells(case, *cells)
+    case.run("blockMesh")
+    move_points(case, moved)
+
+
+CONE = ((0.03, 0.03, 0), 0.022, 0.1)  # middle of its foot, radius there, height [m]
+
+
+def cone(case):
+    (x, y, z), radius, height = CONE
+    set_cells(case, 6, 6, 20)
+    (case.folder / "system/snappyHexMeshDict").write_text(f"""
+FoamFile {{ version 2.0; format ascii; class dictionary; object snappyHexMeshDict; }}
+castellatedMesh true;
+snap true;
+addLayers false;
+geometry {{ cone {{ type searchableCone; point1 ({x} {y} {z - 0.02}); radius1 {radius * 1.2};
+    innerRadius1 0; point2 ({x} {y} {z + height}); radius2 0; innerRadius2 0; }} }}
+castellatedMeshControls
+{{
+    maxLocalCells 100000; maxGlobalCells 100000; minRefinementCells 0; maxLoadUnbalance 0.1; nCellsBetweenLevels 1;
+    features (); refinementSurfaces {{ cone {{ level (0 0); patchInfo {{ type wall; }} }} }}
+    resolveFeatureAngle 30; refinementRegions {{ }} locationInMesh (0.0021 0.0022 0.1512);
+    allowFreeStandingZoneFaces true;
+}}
+snapControls
+{{
+    nSmoothPatch 3; tolerance 2; nSolveIter 30; nRelaxIter 5; nFeatureSnapIter 5;
+    implicitFeatureSnap false; explicitFeatureSnap false; multiRegionFeatureSnap false;
+}}
+addLayersControls
+{{
+    relativeSizes true; layers {{ }} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1; nGrow 0;
+    featureAngle 30; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
+    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; nBufferCellsNoExtrude 0;
+    nLayerIter 50;
+}}
+meshQualityControls
+{{
+    maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4; maxConcave 80; minVol 1e-15; minTetQuality 1e-15;
+    minArea -1; minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05; minVolRatio 0.01; minTriangleTwist -1;
+    nSmoothScale 4; errorReduction 0.75;
+}}
+mergeTolerance 1e-6;
+""")
+    for name, row in (("U", "slip"), ("p", "fixedFluxPressure; value uniform 0"), ("voidFraction", "zeroGradient")):
+        path = case.folder / "0.orig" / name
+        path.write_text(path.read_text().replace("boundaryField\n{", f"boundaryField\n{{\n    cone {{ type {row}; }}"))
+    case.run("blockMesh")
+    case.run("snappyHexMesh", "-overwrite")
+    # The snap moves corners on the box's sides by a hundredth of a cell.
+    move_points(case, lambda points: np.where(points < 3e-4, 0, np.where(points > SIZE - 3e-4, SIZE, points)))
+
+
+FIXED = {"perturbed": perturbed, "cone": cone}
