@@ -56,7 +56,9 @@ atom_modify sort 1000 1e-3
 neigh_modify every 250 delay 0 check no
 compute place all pair/local p1
 compute touch all contact/atom
-compute places all reduce sum c_place
+variable local string ""
+if "$(version) > 20220800" then "variable local string 'inputs local'"
+compute places all reduce sum c_place ${local}
 compute touches all reduce sum c_touch
 thermo_style custom step c_places c_touches
 """
