@@ -160,7 +160,12 @@ void print_plan(const Lines& print, const PowderRequest& r, const Powder& p) {
     print({"bond_computed", "their Bond number, of the smallest",
            p.adhesion.force / p.weight(p.sizes.smallest()) / p.parcels.ratio(), "1"});
   }
-  print({"particle_step", "particle step, a part of t_c, scheme exact", p.steps.particle, "s"});
+  char step[80];
+  const double contact_time = p.parcels.time(p.elastic ? p.elastic->used.contact_time(p.speed)
+                                                       : p.springs.used.contact_time);
+  std::snprintf(step, sizeof step, "particle step, t_c/%.3g, scheme exact",
+                contact_time / p.steps.particle);
+  print({"particle_step", step, p.steps.particle, "s"});
   print({"cell", "edge of the cells", p.cell, "m"});
   print({"gas_step", "gas step, a whole number of these", p.steps.gas, "s"});
   print({"gas_velocity", "superficial gas velocity, twice u_mf by " + r.drag, p.velocity, "m/s"});

@@ -31,8 +31,10 @@ struct PowderContacts {
   double stiffness, restitution, friction;
   hamaker::HamakerParameters hamaker;
   advice::Material material;  ///< that the springs stand for
-  double well_ratio = 0.0;    ///< r_out/r of wells in place of the attraction; 0: no wells
-  ElasticWords elastic{};     ///< in place of `stiffness` and that of `material`
+  /// Its stiffness between types i and j, at [i * number of types + j]; empty: as of `material`.
+  std::vector<double> material_of_pairs{};
+  double well_ratio = 0.0;  ///< r_out/r of wells in place of the attraction; 0: no wells
+  ElasticWords elastic{};   ///< in place of `stiffness` and that of `material`
 
   bool has_wells() const { return well_ratio > 0.0; }
   bool is_elastic() const { return elastic.young > 0.0; }
@@ -42,11 +44,15 @@ struct PowderContacts {
   bool tells_material() const {
     if (is_elastic())
       return elastic.of_material != elastic.young && (hamaker.hamaker_constant > 0.0 || is_jkr());
-    return !has_wells() && material.stiffness != stiffness && hamaker.hamaker_constant > 0.0;
+    const auto is_stiffer = [&](double of_material) { return of_material != stiffness; };
+    return !has_wells() && hamaker.hamaker_constant > 0.0 &&
+           (is_stiffer(material.stiffness) ||
+            std::any_of(material_of_pairs.begin(), material_of_pairs.end(), is_stiffer));
   }
 
-  /// LAMMPS' pair_style, and its pair_coeffs: one for all types, or with wells, each two of which
-  /// have a depth of their own, one for each two. lammps_for_all(): that of the first for all.
+  /// LAMMPS' pair_style, and its pair_coeffs: one for all types, or one for each two where each two
+  /// have a well or a stiffness of the material of their own. lammps_for_all(): that of the first
+  /// for all.
   std::string lammps_style() const {
     return has_wells() ? "gran/squarewell" : is_jkr() ? "gran/jkr" : "gran/hamaker";
   }
@@ -54,12 +60,13 @@ struct PowderContacts {
     return "pair_coeff * * " + (has_wells() ? lammps_well(pair(0, 0)) : lammps());
   }
   std::vector<std::string> lammps_pairs() const {
-    if (!has_wells() || diameters.size() == 1) return {lammps_for_all()};
+    const bool own_material = tells_material() && !material_of_pairs.empty();
+    if ((!has_wells() && !own_material) || diameters.size() == 1) return {lammps_for_all()};
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < diameters.size(); i++)
       for (std::size_t j = i; j < diameters.size(); j++)
         lines.push_back("pair_coeff " + std::to_string(i + 1) + ' ' + std::to_string(j + 1) + ' ' +
-                        lammps_well(pair(i, j)));
+                        (has_wells() ? lammps_well(pair(i, j)) : lammps(pair(i, j).material)));
     return lines;
   }
 
@@ -82,10 +89,12 @@ struct PowderContacts {
   }
 
   /// Words of LAMMPS' pair_coeff and walls of gran/hamaker and gran/jkr.
-  std::string lammps() const {
+  std::string lammps() const { return lammps(material.stiffness); }
+  /// The same with another stiffness of the material, of linear springs.
+  std::string lammps(double of_material) const {
     if (is_jkr())
       return lammps_contact() + text(" surface_energy %.6g", elastic.surface_energy) +
-             lammps_material();
+             lammps_material(of_material);
     std::string words =
         lammps_contact() + text(" hamaker %.6g cutoff %.6g %.6g", hamaker.hamaker_constant,
                                 hamaker.surface_cutoff, hamaker.outer_cutoff);
@@ -95,7 +104,7 @@ struct PowderContacts {
     } else if (hamaker.asperity_radius > 0.0) {
       words += text(" asperity %.6g", hamaker.asperity_radius);
     }
-    return words + lammps_material();
+    return words + lammps_material(of_material);
   }
 
   /// LIGGGHTS' properties, a fix each; the last type is that of the walls. Its dashpot is of the
@@ -121,8 +130,7 @@ struct PowderContacts {
     }
     append_liggghts_attraction(lines);
     if (tells_material())
-      lines.push_back(
-          matrix("materialStiffness", [&](const TypePair&) { return material.stiffness; }));
+      lines.push_back(matrix("materialStiffness", [&](const TypePair& p) { return p.material; }));
     return lines;
   }
 
@@ -150,7 +158,8 @@ struct PowderContacts {
   /// Two types, of which the second may be the wall's.
   struct TypePair {
     PairGeometry geometry;
-    double mass;  // reduced
+    double mass;      // reduced
+    double material;  // stiffness that the springs stand for
   };
 
   template <class... Values>
@@ -172,10 +181,10 @@ struct PowderContacts {
                   elastic.poisson, restitution, friction);
     return text("stiffness %.6g restitution %.6g friction %.6g", stiffness, restitution, friction);
   }
-  std::string lammps_material() const {
+  std::string lammps_material(double of_material) const {
     if (!tells_material()) return "";
     return (is_elastic() ? text(" material_modulus %.6g %.6g", elastic.of_material, elastic.poisson)
-                         : text(" material_stiffness %.6g", material.stiffness)) +
+                         : text(" material_stiffness %.6g", of_material)) +
            " material_keep " + kept();
   }
   std::string lammps_well(const TypePair& p) const {
@@ -233,9 +242,10 @@ struct PowderContacts {
     const std::size_t wall = diameters.size();
     const double r = 0.5 * diameters[std::min(i, j)], m = density * sphere_volume(r);
     // Of two walls, which have no contact, as of the last size with one.
-    if (std::max(i, j) == wall) return {sphere_and_plane(r), m};
+    if (std::max(i, j) == wall) return {sphere_and_plane(r), m, material.stiffness};
     const double other = 0.5 * diameters[std::max(i, j)];
-    return {two_spheres(r, other), reduced_mass(m, density * sphere_volume(other))};
+    return {two_spheres(r, other), reduced_mass(m, density * sphere_volume(other)),
+            material_of_pairs.empty() ? material.stiffness : material_of_pairs[i * wall + j]};
   }
 
   template <class Value>

@@ -120,7 +120,8 @@ class Powder {
             request_.restitution,
             request_.friction,
             parcels.attraction(hamaker),
-            {parcels.stiffness(stiffness_stood_for()), keep_of(request_)},
+            {parcels.stiffness(stiffness_stood_for(springs.material.stiffness)), keep_of(request_)},
+            material_of_pairs(),
             well_ratio_of(request_),
             elastic
                 ? ElasticWords{elastic->young, request_.elastic.poisson, request_.elastic.young,
@@ -174,6 +175,8 @@ class Powder {
 
   Springs springs_under(const Load& load) const {
     const PowderRequest& r = request_;
+    const double stiffest_material =
+        r.elastic.young > 0.0 ? material_stiffness(sizes.largest(), sizes.largest()) : 0.0;
     return springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
                       {r.restitution,
                        load,
@@ -182,7 +185,8 @@ class Powder {
                        r.stiffness,
                        r.elastic,
                        well_ratio_of(r),
-                       {at_wall(sizes.smallest()), at_wall(sizes.largest())}});
+                       {at_wall(sizes.smallest()), at_wall(sizes.largest())},
+                       stiffest_material});
   }
 
   ElasticContacts elastic_of(const Load& load) const {
@@ -213,9 +217,25 @@ class Powder {
 
   /// Springs stiffer than the material has for slow impacts stand for none but themselves. A well
   /// has its depth from the material in any case.
-  double stiffness_stood_for() const {
-    const double material = springs.material.stiffness;
+  double stiffness_stood_for(double material) const {
     return well_ratio_of(request_) > 0.0 ? material : std::max(material, springs.used.stiffness);
+  }
+
+  /// Hertz's contact of two sizes is that of two equal grains of the same R* and mu.
+  double material_stiffness(double diameter_i, double diameter_j) const {
+    const PairGeometry pair = two_spheres(0.5 * diameter_i, 0.5 * diameter_j);
+    return sticking_stiffness(request_.elastic, 4.0 * pair.reduced_radius,
+                              2.0 * reduced_mass(mass(diameter_i), mass(diameter_j)),
+                              request_.restitution, adhesion_of(pair), speed);
+  }
+  std::vector<double> material_of_pairs() const {
+    if (elastic || request_.elastic.young == 0.0 || sizes.all().size() == 1) return {};
+    std::vector<double> all;
+    for (const PowderSize& i : sizes.all())
+      for (const PowderSize& j : sizes.all())
+        all.push_back(
+            parcels.stiffness(stiffness_stood_for(material_stiffness(i.diameter, j.diameter))));
+    return all;
   }
 
   double steps_of_contact() const {

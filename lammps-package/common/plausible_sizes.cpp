@@ -66,16 +66,24 @@ void refuse_as_created(LAMMPS* lmp, const std::string& text) {
   warn(lmp, text);
 }
 
-/// Stops where a density was set before the diameter. In two dimensions a mass may be that of a
-/// disc.
+/// Whether the density of particle i was set before its diameter, or never. In two dimensions a
+/// mass that was set may be that of a disc.
+bool has_mass_of_another_size(const LAMMPS* lmp, int i, const cohesion::advice::SiUnits* units) {
+  const double mass = lmp->atom->rmass[i], radius = lmp->atom->radius[i];
+  return cohesion::advice::is_mass_as_created(mass, radius, units) ||
+         (lmp->domain->dimension == 3 &&
+          cohesion::advice::is_mass_of_diameter_1(mass, radius, units));
+}
+
+/// Stops where a density was set before the diameter, or never.
 void require_own_masses(const LAMMPS* lmp, const std::string& where) {
   const Atom* const atom = lmp->atom;
   const cohesion::advice::SiUnits* const units = si_units(lmp);
-  if (!atom->rmass || !units || lmp->domain->dimension == 2) return;
+  if (!atom->rmass || !units) return;
   // The tag of the last one, its mass and radius are of one particle: of the rank that has it.
   double mine[3] = {0.0, 0.0, 0.0}, number = 0.0, numbers = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!cohesion::advice::is_mass_of_diameter_1(atom->rmass[i], atom->radius[i], units)) continue;
+    if (!has_mass_of_another_size(lmp, i, units)) continue;
     number += 1.0;
     const double tag = atom->tag_enable ? static_cast<double>(atom->tag[i]) : 1.0;
     if (mine[0] > 0.0 && tag > mine[0]) continue;
@@ -92,12 +100,15 @@ void require_own_masses(const LAMMPS* lmp, const std::string& where) {
   const double density = mine[1] / cohesion::sphere_volume(mine[2]);
   const double of_diameter_1 = mine[1] / cohesion::sphere_volume(CREATED_RADIUS);
   const double si = units->density();
+  const bool created = cohesion::advice::is_mass_as_created(mine[1], mine[2], units);
   stop(lmp, FLERR, where, ": particle ", mine[0], " (one of ", numbers,
        ") has the mass of a sphere of diameter 1 and density ", of_diameter_1,
        ", and with its diameter of ", 2.0 * mine[2], " a density of ", rounded(si * density),
        " kg/m^3, which no material has", units_of_lengths(lmp),
-       ". 'set ... diameter' keeps the mass that 'set ... density' gave before: set the diameter "
-       "first, then the density");
+       created ? ". It has the mass that create_atoms gave it, and 'set ... diameter' keeps the "
+                 "mass: set the density after the diameter"
+               : ". 'set ... diameter' keeps the mass that 'set ... density' gave before: set the "
+                 "diameter first, then the density");
 }
 
 template <class Check>

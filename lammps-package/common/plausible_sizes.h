@@ -26,7 +26,8 @@ std::string units_of_lengths(const class LAMMPS*);
 
 /// Stops in other than mechanical units; at particles that the box cannot hold; in SI units at
 /// those that still have the size and density they were created with beside much smaller ones (in
-/// others, where they may be meant, it warns once); and at masses that are of a diameter of 1.
+/// others, where they may be meant, it warns once); and at masses that are of a diameter of 1, or
+/// that no density was set for.
 void require_plausible_spheres(class LAMMPS*, const std::string& where);
 
 /// Stops where partners up to this distance of the centres would be found in very many images.

@@ -10,9 +10,11 @@
 #include "common/renumbering.h"
 #include "domain.h"
 #include "engine/gravity.h"
+#include "engine/occasional_lists.h"
 #include "error.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
 #include "update.h"
 
@@ -108,6 +110,7 @@ bool FixContactStep::is_idle() const {
 double FixContactStep::length() const { return update->dt; }
 
 void FixContactStep::setup_pre_force(int) {
+  discard_occasional_lists(neighbor);
   forget_impulses();  // `last` contains them
   resuming = last.has_room();
   starting = !resuming;
@@ -239,6 +242,7 @@ void FixContactStep::begin_tallies() {
 }
 
 void FixContactStep::pre_force(int) {
+  if (neighbor->ago == 0) discard_occasional_lists(neighbor);
   if (idle) {
     forces_dt = update->dt;
     return;

@@ -86,6 +86,8 @@ class FixContactStep : public Fix {
 
   /// Whether this set-up continues with the forces of the last step and computes no contact.
   bool resumes() const { return resuming; }
+  /// Whether steps are being made; otherwise the state is that between two runs.
+  bool is_running() const { return running; }
   /// What scripts have altered since the last run; filled while a continued run is set up.
   const AlteredParticles& altered_particles() const { return altered; }
   /// Whether the last run ended in a step without energy balance, so that its totals are unknown.
@@ -167,6 +169,7 @@ class FixContactStep : public Fix {
  private:
   bool begin_step();
   void save_last(int i, double* values) const;
+  void find_styles();
   void follow_renumbering();
   void find_altered();
   void advise_if_due(bool setup);

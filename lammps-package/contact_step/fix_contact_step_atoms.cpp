@@ -156,6 +156,10 @@ static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
 void FixContactStep::write_restart(FILE* fp) {
+  if (!running) {  // as init() does; the pair styles and walls may be others than in the last run
+    find_styles();
+    follow_renumbering();
+  }
   const ContactEnergyTally::Totals mine = energy_tally.totals();
   double values[OF_RESTART] = {RESTART_MARK + LAYOUT, forces_dt,
                                tally_unknown && !running ? 1.0 : 0.0};

@@ -34,15 +34,12 @@ void FixContactStep::init() {
     error->all(FLERR,
                "scheme exact needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
-  styles.clear();
-  advised.clear();
+  find_styles();
   mobile.look_up(lmp);
   bool before_me = true;
   any_dynamic_group = false;
   for (int i = 0; i < modify->nfix; i++) {
-    Fix* const fix = modify->fix[i];
-    if (auto* wall = dynamic_cast<SoftContactStyle*>(fix)) styles.push_back(wall);
-    if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
+    const Fix* const fix = modify->fix[i];
     if (fix == this) before_me = false;
     if (group->dynamic[fix->igroup] && (fix->time_integrate || strcmp(fix->style, "freeze") == 0))
       any_dynamic_group = true;
@@ -50,10 +47,6 @@ void FixContactStep::init() {
       error->all(FLERR, std::string("fix ") + fix->id +
                             " integrates the motion: put it behind the pair_style and wall "
                             "commands of scheme exact");
-  }
-  for (const PairMember& member : pair_members(force)) {
-    if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
-    if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
   may_have_contacts = std::any_of(styles.begin(), styles.end(),
                                   [](const SoftContactStyle* s) { return s->may_have_contacts(); });
@@ -71,6 +64,20 @@ void FixContactStep::init() {
   warn_of_unlike_walls();
   warn_of_added_contacts();
   follow_renumbering();
+}
+
+void FixContactStep::find_styles() {
+  styles.clear();
+  advised.clear();
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<SoftContactStyle*>(fix)) styles.push_back(wall);
+    if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
+  }
+  for (const PairMember& member : pair_members(force)) {
+    if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
+    if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
+  }
 }
 
 /// Contacts use the masses of single spheres, not those of rigid bodies.

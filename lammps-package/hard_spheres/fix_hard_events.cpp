@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "common/box_shear.h"
 #include "domain.h"
+#include "engine/occasional_lists.h"
 #include "error.h"
 #include "group.h"
 #include "memory.h"
@@ -115,7 +116,10 @@ void FixHardEvents::pre_force(int) {
   const bool new_list = neighbor->ago == 0;
   farthest_squared_ = 0.0;
   changed_bodies_.clear();
-  if (new_list) restore_clamped_positions();
+  if (new_list) {
+    discard_occasional_lists(neighbor);
+    restore_clamped_positions();
+  }
   const bool reset = reset_in_next_step_ || box_has_changed(dt) || time_reset_is_due();
   const bool shift_origin = !reset && simulation_.end() > time_origin_lifetime_;
   if (reset) {

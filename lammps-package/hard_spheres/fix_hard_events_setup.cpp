@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "common/bound_pairs.h"
 #include "common/distinct_places.h"
+#include "engine/occasional_lists.h"
 #include "engine/rerun.h"
 #include "engine/special_pairs.h"
 #include "error.h"
@@ -68,6 +69,7 @@ void FixHardEvents::init() {
 
 /// At the start of a run no particle has moved yet.
 void FixHardEvents::setup_pre_force(int) {
+  discard_occasional_lists(neighbor);
   round_positions();
   set_rules();
   PairsByTag last_run = gather_bound_pairs_at_edge();

@@ -25,6 +25,7 @@
 #include "outputs/compute_hard_events.h"
 #include "outputs/compute_hard_stress.h"
 #include "outputs/fix_stationary.h"
+#include "soft_contacts/fix_contact_history.h"
 #include "soft_contacts/fix_wall_gran_styles.h"
 #include "soft_contacts/pair_gran_styles.h"
 #include "version.h"
@@ -68,6 +69,7 @@ struct StyleEntry {
 };
 
 constexpr StyleEntry fixes[] = {
+    {"CONTACT_HISTORY", &make<FixContactHistory>},
     {"CONTACT_STEP", &make<FixContactStep>},
     {"HARD_EVENTS", &make<FixHardEvents>},
     {"agglomerates", &make<FixAgglomerates>},

@@ -91,9 +91,7 @@ class PairGranCohesive : public Pair,
   }
   bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
   void continue_run() override;
-  void renumber(const Renumbering& renumbering) override {
-    history.renumber(renumbering, atom->nlocal);
-  }
+  void renumber(const Renumbering& renumbering) override { history.renumber(renumbering); }
   void give_advice(const RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);

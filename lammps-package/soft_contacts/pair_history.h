@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
-#include <vector>
 
-#include "common/renumbering.h"
 #include "error.h"
-#include "fix_neigh_history.h"
 #include "lammps.h"
 #include "modify.h"
+#include "soft_contacts/fix_contact_history.h"
 
 namespace LAMMPS_NS {
 
@@ -24,7 +22,7 @@ inline std::string history_id(const std::string& style) {
   return id;
 }
 
-/// The contact histories of a pair style, stored by a fix of the engine. The position in the list
+/// The contact histories of a pair style, stored by a fix. The position in the list
 /// of fixes is reserved when the pair style is created, since the fix has to precede those that
 /// move particles to other ranks, such as fix deform.
 class PairHistory {
@@ -49,38 +47,23 @@ class PairHistory {
     if (fix_) return;
     const std::string number = std::to_string(values), place_id = place();
     id_ += "_" + number;
-    modify_->replace_fix(place_id, id_ + " all NEIGH_HISTORY " + number, 1);
-    fix_ = static_cast<FixNeighHistory*>(modify_->fix[modify_->find_fix(id_)]);
+    modify_->replace_fix(place_id, id_ + " all CONTACT_HISTORY " + number, 1);
+    fix_ = static_cast<FixContactHistory*>(modify_->fix[modify_->find_fix(id_)]);
     fix_->pair = pair;
   }
 
-  FixNeighHistory* operator->() const { return fix_; }
+  FixContactHistory* operator->() const { return fix_; }
 
-  /// Partners are stored by their IDs. The history of a deleted partner is never used.
-  void renumber(const Renumbering& renumbering, int particles) {
-    if (!fix_) return;
-    const int* const count = Partners::count(*fix_);
-    tagint* const* const partner = Partners::ids(*fix_);
-    std::vector<tagint> ids;
-    for (int i = 0; i < particles; i++) ids.insert(ids.end(), partner[i], partner[i] + count[i]);
-    renumbering.translate(ids);
-    auto next = ids.begin();
-    for (int i = 0; i < particles; i++)
-      for (int m = 0; m < count[i]; m++) partner[i][m] = *next++;
+  void renumber(const Renumbering& renumbering) {
+    if (fix_) fix_->renumber(renumbering);
   }
 
  private:
-  /// Access to the protected members of the fix.
-  struct Partners : FixNeighHistory {
-    static int* count(const FixNeighHistory& fix) { return fix.*(&Partners::npartner); }
-    static tagint** ids(const FixNeighHistory& fix) { return fix.*(&Partners::partner); }
-  };
-
   std::string place() const { return id_ + "_PLACE"; }
 
   Modify* modify_;
   std::string id_;
-  FixNeighHistory* fix_;
+  FixContactHistory* fix_;
 };
 
 }  // namespace LAMMPS_NS

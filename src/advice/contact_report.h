@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "advice/contact_advice.h"
@@ -200,6 +201,17 @@ inline void add_softness(Report& report, const std::string& style,
         {note.contacts, Subject::softness, style + ", " + note.names() + ": " + note.sentence});
 }
 
+/// Removes the warnings of steps in a contact that the step an error names would satisfy, so that
+/// the messages do not name several steps. `steps`: what each warning names, [time].
+inline void remove_satisfied(std::vector<Warning>& warnings, const std::vector<double>& steps,
+                             double step_of_error) {
+  std::vector<Warning> left;
+  for (std::size_t k = 0; k < warnings.size(); k++)
+    if (warnings[k].subject != Subject::contact_steps || steps[k] < step_of_error)
+      left.push_back(warnings[k]);
+  warnings = std::move(left);
+}
+
 }  // namespace detail
 
 /// The table of numbers that decide whether the run can be right, a warning for each that says that
@@ -213,6 +225,7 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
                  "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
                  "      Bond     v_esc   tail/spring\n";
   double largest_step = 0.0;
+  std::vector<double> steps;  // that the warnings name
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
@@ -225,8 +238,10 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
           finding.subject == Subject::static_overlap || finding.subject == Subject::impact_overlap;
       const std::string message =
           style + ", " + c.name + ": " + (of_overlap ? c.doubt : "") + finding.sentence;
-      if (finding.severity == Severity::warning)
+      if (finding.severity == Severity::warning) {
         report.warnings.push_back({{c.name}, finding.subject, message});
+        steps.push_back(finding.largest_step);
+      }
       if (finding.severity == Severity::error &&
           (report.stop.empty() ||
            (std::isfinite(largest_step) && finding.largest_step < largest_step))) {
@@ -235,6 +250,8 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
       }
     }
   }
+  if (!report.stop.empty() && std::isfinite(largest_step))
+    detail::remove_satisfied(report.warnings, steps, largest_step);
   detail::add_softness(report, style, contacts, run);
   return report;
 }

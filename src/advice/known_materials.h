@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -61,15 +62,29 @@ inline constexpr double least_density = 0.1, largest_density = 1e5;
 /// Of a density that a script gives for a solid, [kg/m^3].
 inline constexpr double least_solid = 100.0, largest_solid = 3e4;
 
+/// Whether no material gives a sphere of this radius [length] this mass [mass].
+inline bool is_mass_of_no_material(double mass, double radius, const SiUnits& units) {
+  const double density = units.density() * mass / sphere_volume(radius);
+  return density < least_density || density > largest_density;
+}
+
 /// Whether a mass [mass] is beyond what a sphere of this radius [length] of any material has, and
 /// is that of a sphere of diameter 1 of a solid: spheres have this diameter until a script sets
 /// another one, which leaves their mass as it is.
 inline bool is_mass_of_diameter_1(double mass, double radius, const SiUnits* units) {
-  if (!units) return false;
-  const double density = units->density() * mass / sphere_volume(radius);
+  if (!units || !is_mass_of_no_material(mass, radius, *units)) return false;
   const double of_diameter_1 = units->density() * mass / sphere_volume(0.5);
-  return (density < least_density || density > largest_density) && of_diameter_1 >= least_solid &&
-         of_diameter_1 <= largest_solid;
+  return of_diameter_1 >= least_solid && of_diameter_1 <= largest_solid;
+}
+
+/// Whether a mass [mass] is beyond what a sphere of this radius [length] of any material has, and
+/// is that of a sphere of diameter 1 and density 1 in the units of the script: `create_atoms` makes
+/// these, and a script that sets no density leaves their mass as it is.
+inline bool is_mass_as_created(double mass, double radius, const SiUnits* units) {
+  constexpr double rounding = 1e-12;
+  const double created = sphere_volume(0.5);
+  return units && is_mass_of_no_material(mass, radius, *units) &&
+         std::abs(mass - created) <= rounding * created;
 }
 
 }  // namespace cohesion::advice

@@ -208,8 +208,8 @@ inline std::string scaling_note(double stiffness, const Material& material,
     out << "adhesion scaled from " << name << ' ' << material.stiffness << " to " << stiffness
         << ", which keeps the escape velocity: " << numbers;
   else
-    out << "adhesion of " << name << ' ' << material.stiffness << " left at " << name << ' '
-        << stiffness << ", which keeps the pull-off force";
+    out << "adhesion not scaled from " << name << ' ' << material.stiffness << " to " << stiffness
+        << ", which keeps the pull-off force";
   return out.str();
 }
 

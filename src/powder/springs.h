@@ -31,6 +31,7 @@ struct Demand {
   Elastic elastic{0.0, 0.0};  ///< material; Young's modulus 0: the springs given are the material
   double well_ratio = 0.0;    ///< r_out/r of a well in place of the attraction; 0: no well
   std::vector<Borne> others{};  ///< that they bear besides the pair: larger grains, grains at walls
+  double stiffest_material = 0.0;  ///< of all pairs, whose attraction is scaled too, [force/length]
 };
 
 /// Two grains in contact, of the smallest size.
@@ -138,7 +139,9 @@ inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
                  ? advice::StiffnessScaling(real, stiffness).adhesion(b.adhesion)
                  : b.adhesion;
     });
-    if (scales) soft = std::max(soft, least_scaled_stiffness(real, pair.hamaker));
+    if (scales)
+      soft = std::max(
+          soft, least_scaled_stiffness(std::max(real, demand.stiffest_material), pair.hamaker));
     soft = rounded_stiffness(soft, stiffest_needed(pair, demand, real));
   }
   // Springs stiffer than the material has for slow impacts stand for none but themselves.

@@ -62,7 +62,7 @@ class Step(ScriptTestCase):
                 self.assertEqual((output.count(ADVICE), output.count(FEW_STEPS)), (1, 1), output)
 
     def test_how_adhesion_was_scaled_is_told_once(self):
-        for told, keep in (("adhesion scaled from", "velocity"), ("adhesion of stiffness", "force")):
+        for told, keep in (("adhesion scaled from", "velocity"), ("adhesion not scaled from", "force")):
             style = f"{STYLE.strip()} material_stiffness 8000 material_keep {keep}\n"
             output = self.goes(self.script("run 1\nrun 1\npair_coeff * * " +
                                            style.split("* *")[1].replace("800 ", "400 ", 1) + "run 1\nrun 1\n",

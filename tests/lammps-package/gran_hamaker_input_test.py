@@ -120,7 +120,7 @@ class Input(ScriptTestCase):
             # Three digits are printed of all three.
             v_esc = self.advised(kept, name)[-2] / self.advised(stiff, name)[-2]
             self.assertAlmostEqual(escape / v_esc, 1, delta=0.015)
-        self.assertIn("adhesion of stiffness 80000 left at stiffness 800, which keeps the pull-off force", kept)
+        self.assertIn("adhesion not scaled from stiffness 80000 to 800, which keeps the pull-off force", kept)
         self.assertNotIn("stiffer spring", kept)
 
     def test_what_hangs_by_the_force_of_the_material_hangs_by_the_force_that_is_kept(self):

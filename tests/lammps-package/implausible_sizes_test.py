@@ -45,10 +45,11 @@ WALLS = (lambda cut, out, form="": NONE + f"fix w all wall/gran/hamaker {form} {
 
 
 class Sizes(ScriptTestCase):
-    def refuses(self, *words, ranks=(1,), **changes):
+    def refuses(self, *words, ranks=(1,), without=None, **changes):
         for number in ranks:
             with self.subTest(words, ranks=number, **changes):
-                self.stops(script(**changes), *words, timeout=20, ranks=number)
+                text = script(**changes)
+                self.stops(text.replace(without, "") if without else text, *words, timeout=20, ranks=number)
 
     def test_cutoffs_in_nanometres(self):
         for law, where in ((gran, "pair_style gran/hamaker, types 1 and 1"),
@@ -130,6 +131,22 @@ class Sizes(ScriptTestCase):
                 self.stops(text, style, *says, ranks=2 if "hard" in style else 1)
         self.goes(script(gran("4e-10", "1e-7")).replace("diameter 75e-6 density 2650",
                                                         "diameter 75e-6\nset group all density 1500"))
+
+    def test_no_density(self):
+        """The mass pi/6 of create_atoms in 75 um is 2.37e12 kg/m^3."""
+        says = ("particle 1 (one of 2) has the mass of a sphere of diameter 1 and density 1,",
+                "a density of 2.37e+12 kg/m^3", "set the density after the diameter", UNITS)
+        hard = "pair_style hard/squarewell\npair_coeff * * restitution 0.9"
+        for pair in (gran("4e-10", "1e-7"), overlay("4e-10", "1e-7"), hard):
+            self.refuses(*says, pair=pair, ranks=(1, 2) if pair == hard else (1,), without=" density 2650")
+        self.stops(script(hard).replace(" density 2650", "").replace("units si", "units si\ndimension 2").replace(
+            "0.005 units", "0 units").replace("0 0.01 units", "-0.01 0.01 units"), "density 1,", "2.37e+12 kg/m^3")
+        # One of two; heavy on purpose; and a sphere of 50 mm, of 8000 kg/m^3.
+        self.stops(script(hard, then="set atom 1 diameter 80e-6\nset atom 2 diameter 75e-6").replace(
+            "density 2650", "").replace("set atom 2", "set atom 1 density 2650\nset atom 2"), "particle 2 (one of 1)")
+        self.goes(script(hard).replace("density 2650", "density 1e12"))
+        self.goes(script(hard, diameter="0.05", boundary="p p p").replace(" density 2650", "").replace("0.01", "1").replace(
+            "0.008 0", "0.8 0"))
 
     def test_density_before_the_diameter_in_other_units(self):
         """In micrometres a sphere of diameter 1 is the smaller one: the density falls by 75^3."""

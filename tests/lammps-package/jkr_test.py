@@ -60,7 +60,7 @@ class Words(ScriptTestCase):
                 ("", "adhesion scaled from modulus E* 2.66667e+09 to 2.66667e+06, which keeps the escape velocity: work of "
                      "adhesion 0.1 -> 0.00630957", "escape velocity 1, pull-off force 0.0631"),
                 # v_esc of JKR's contact goes with E^(-1/3) where the dashpot takes nothing.
-                (" material_keep force", "adhesion of modulus E* 2.66667e+09 left at modulus E* 2.66667e+06, which keeps "
+                (" material_keep force", "adhesion not scaled from modulus E* 2.66667e+09 to 2.66667e+06, which keeps "
                                          "the pull-off force", "escape velocity 10, pull-off force 1")):
             words = f"normal hertz 5e6 0.25 surface_energy 0.05 material_modulus 5e9 0.25{keep}"
             output = self.goes(f"{HEAD}pair_style gran/jkr\npair_coeff * * {words}\n"

@@ -50,7 +50,21 @@ dump_modify contacts format float %.16g
 dump spheres all custom 40 {spheres} id xu yu zu fx fy fz tqx tqy tqz
 dump_modify spheres sort id format float %.16g
 """
+# Sums of two computes that use neighbour lists of their own: p1 over pairs, and touches over spheres.
+COUNTS = """
+atom_modify sort 1000 1e-3
+neigh_modify every 250 delay 0 check no
+compute place all pair/local p1
+compute touch all contact/atom
+variable local string ""
+if "$(version) > 20220800" then "variable local string 'inputs local'"
+compute places all reduce sum c_place ${local}
+compute touches all reduce sum c_touch
+thermo_style custom step c_places c_touches
+"""
+PRINT = 'print "COUNTS $(c_places) $(c_touches)"\n'
 SIDE = 4 * 1.05e-3
+CLOSE = 1e-3  # spacing of the dense packing
 
 
 def frames(file):
@@ -149,6 +163,43 @@ class PairLocal(ScriptTestCase):
         self.assertGreater(numpy.abs(before[:, 8]).max(), 0.0)
         # Setting up wraps spheres into the box, and orders them anew.
         numpy.testing.assert_allclose(ordered(after), ordered(before), rtol=1e-9, atol=1e-15)
+
+    def counts(self, steps, **options):
+        """The sums that `steps` print, of a dense packing that is set in motion."""
+        style, words = LAWS["hamaker"].format(FRICTION).split(" ", 1)
+        head = HEAD.format(step=STEP, style=style, scheme="", words=words, more="").replace("1.05e-3", f"{CLOSE}")
+        output = self.goes(head + COUNTS + steps, **options)
+        return [[float(word) for word in line.split()[1:]] for line in output.splitlines()
+                if line.startswith("COUNTS")]
+
+    def test_lists_at_the_set_up_of_a_second_run(self):
+        # A run begins with a new order of the spheres, in which the lists of the last run are obsolete.
+        steps = "run 300\n" + PRINT + "run 0\n" + PRINT + "run 0\n" + PRINT
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                first, again, at_once = self.counts(steps, ranks=ranks)
+                self.assertGreater(first[1], 60.0)
+                self.assertEqual(again, first)
+                self.assertEqual(at_once, first)
+
+    def test_loose_spheres_are_deleted_in_several_passes(self):
+        passes = 4
+        each = ("write_dump all custom here.{} id x y z modify sort id format float %.17g\n" + PRINT +
+                "variable loose atom c_touch<3\ngroup loose variable loose\n"
+                "delete_atoms group loose compress no\ngroup loose delete\nrun 0\n")
+        found = self.counts("run 300\n" + "".join(each.format(n) for n in range(passes)))
+        expected = []
+        for n in range(passes):
+            x = frames(Path(self.folder) / f"here.{n}")[0][:, 1:4]
+            apart = x[:, None] - x[None]
+            apart -= 4 * CLOSE * numpy.round(apart / (4 * CLOSE))
+            gaps = numpy.sqrt((apart**2).sum(axis=2))[numpy.triu_indices(len(x), 1)] - 2 * RADIUS
+            expected.append(2 * (gaps < 0.0).sum())
+        self.assertEqual([touches for _, touches in found], expected)
+        # p1 is the state at the end of the step, which a collision within the step may have left.
+        numpy.testing.assert_allclose([places for places, _ in found], expected, rtol=0, atol=4)
+        self.assertGreater(expected[0], expected[-1])
+        self.assertGreater(expected[-1], 0)
 
     def test_hybrid(self):
         style, words = LAWS["hamaker"].format("").split(" ", 1)

@@ -56,7 +56,7 @@ LAWS = {"gran/hamaker": "hamaker 1e-16 cutoff 4e-10 1e-7", "gran/squarewell": "w
 
 
 class Renumbered(FolderTestCase):
-    def end(self, between, law="gran/hamaker", scheme="exact", ranks=1, map_words="", rolling="", restart=False):
+    def end(self, between, law="gran/hamaker", scheme="exact", ranks=1, map_words="", rolling="", restart=""):
         words = CONTACT + rolling + LAWS[law]
         spheres = "\n".join(f"create_atoms 1 single {x!r} {y!r} {z!r}" for x, y, z in SPHERES)
         fixes = FIXES % {"wall": f"{law} scheme {scheme} {words}",
@@ -64,7 +64,7 @@ class Renumbered(FolderTestCase):
         first = HEAD + map_words + BOX % {"spheres": spheres} + fixes + "run 60\n" + between
         parts = [first + END]
         if restart:
-            parts = [first + "run 0\nwrite_restart some.restart noinit\n",
+            parts = [first + restart,
                      HEAD + "read_restart some.restart\n" + fixes.replace("pair_", "#") + END]
         for part in parts:
             code, output = engine.run_text(part, self.folder, ranks=ranks)
@@ -101,7 +101,20 @@ class Renumbered(FolderTestCase):
             self.same({name: WAYS[name] for name in ("renumbered", "deleted")}, map_words=words)
 
     def test_through_a_restart_file(self):
-        self.same({name: WAYS[name] for name in ("renumbered", "deleted")}, restart=True)
+        ways = {name: WAYS[name] for name in ("renumbered", "deleted")}
+        self.same(ways, restart="run 0\nwrite_restart some.restart noinit\n")
+
+    def test_through_a_restart_file_at_once(self):
+        # Without a set-up between, in which the engine makes a new neighbour list.
+        ways = {name: way for name, way in WAYS.items() if "others" not in name}
+        self.same(ways, restart="write_restart some.restart noinit\n")
+        ways = {name: WAYS[name] for name in ("deleted", "deleted, IDs kept")}
+        self.same(ways, restart="write_restart some.restart\n")
+        self.same(ways, restart="write_restart some.restart noinit\n", ranks=2)
+
+    def test_a_restart_file_changes_nothing_in_the_run_that_writes_it(self):
+        for words in ("some.restart noinit", "some.restart"):
+            self.same({name: way + f"write_restart {words}\n" for name, way in WAYS.items()})
 
 
 if __name__ == "__main__":

@@ -236,7 +236,7 @@ class StiffnessScaling(unittest.TestCase):
         as_given = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))
         kept = go(self.WORDS + " material_keep force", self.properties(3200.0))
         self.assertEqual(rows(kept), rows(as_given))
-        self.assertIn("atom types 1 and 1: adhesion of stiffness 3200 left at stiffness 800, which keeps the pull-off "
+        self.assertIn("atom types 1 and 1: adhesion not scaled from stiffness 3200 to 800, which keeps the pull-off "
                       "force", kept.output)
         escape = rows(kept)["1 - 1"]["escape"] / rows(self.stiff())["1 - 1"]["escape"]
         found = re.search("escape velocity (\\S+), pull-off force 1 times the material's \\(1 - 1\\)", kept.output)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """cohesion-powder: its numbers beside formulas written out again, and what it refuses."""
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -96,6 +97,34 @@ class Numbers(unittest.TestCase):
         self.near(found["bond_largest"], found["bond"] / 16)
         found = program.values("--percentiles", 2e-5, 4e-5, 8e-5, *GLASS[2:])
         self.near(found["sauter_mean"], 1e-6 / 0.02875)
+
+    def test_each_pair_of_sizes_has_the_stiffness_of_its_material(self):
+        """Of a pair of two sizes that of two equal grains with its reduced radius; those of K_m decide 1/K^(1/5)."""
+        arguments = (*GLASS[2:], "--speed", 0.05, "--restitution", 1)
+        for keep in ("force", "velocity"):
+            code, output, error = program.call("--diameter", 1e-4, 2e-4, *arguments, "--keep", keep)
+            self.assertEqual(code, 0, error)
+            pairs = re.findall(r"pair_coeff (\d \d) .* material_stiffness (\S+) material_keep " + keep, output)
+            self.assertEqual([name for name, _ in pairs], ["1 1", "1 2", "2 2"])
+            stiffness = [float(value) for _, value in pairs]
+            for k, diameter in ((0, 1e-4), (2, 2e-4)):
+                alone = program.values("--diameter", diameter, *arguments, "--keep", keep)
+                self.near(stiffness[k], alone["material_stiffness"], 1e-5)
+            # In Hertz's impact at equal speed K_m = mu v^2/x^2 goes as mu^(1/5) R*^(2/5).
+            reduced = (2 / 3 / 0.5) ** 0.4 * (8 / 9 / 0.5) ** 0.2
+            if keep == "force":
+                self.near(stiffness[1] / stiffness[0], reduced, 2e-2)
+        one = program.call("--diameter", 1e-4, *arguments)[1]
+        self.assertEqual(one.count("pair_coeff * *"), 1)
+        liggghts = program.call("--diameter", 1e-4, 2e-4, *arguments, "--engine", "liggghts")[1]
+        matrix = re.search(r"materialStiffness peratomtypepair 3 (.*)", liggghts)[1].split()
+        self.assertEqual([float(value) for value in matrix[:2] + matrix[4:5]], stiffness)
+
+    def test_the_steps_of_a_contact_are_printed(self):
+        output = program.call(*GLASS)[1]
+        found = program.values(*GLASS)
+        steps = float(re.search(r"particle step, t_c/(\S+), scheme exact", output)[1])
+        self.near(steps, found["contact_time"] / found["particle_step"], 5e-3)
 
 
     def test_parcels_are_grains_magnified(self):

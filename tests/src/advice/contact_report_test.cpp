@@ -97,6 +97,16 @@ TEST(ContactReport, RunsAtTheStepThatAnErrorNames) {
   }
 }
 
+TEST(ContactReport, LeavesOutWarningsThatTheStepOfAnErrorSatisfies) {
+  std::vector<Warning> warnings{{{"1 - 1"}, Subject::contact_steps, "2e-7"},
+                                {{"1 - 2"}, Subject::contact_steps, "1e-7"},
+                                {{"1 - 2"}, Subject::impact_overlap, "2 %"}};
+  detail::remove_satisfied(warnings, {2e-7, 1e-7, infinite}, 1.4e-7);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].text, "1e-7");
+  EXPECT_EQ(warnings[1].subject, Subject::impact_overlap);
+}
+
 TEST(ContactReport, ADoubtStandsBeforeTheStiffnessThatWouldBearTheAdhesion) {
   AdvisedContact strong = pair();
   strong.adhesion.force *= 1e4;

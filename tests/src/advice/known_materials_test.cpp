@@ -48,5 +48,22 @@ TEST(KnownMaterials, TellAMassThatWasSetBeforeTheDiameter) {
   EXPECT_FALSE(is_mass_of_diameter_1(of_diameter_1, 37.5e-6, nullptr));
 }
 
+TEST(KnownMaterials, RevealAMassThatWasNeverSet) {
+  const SiUnits *si = find_si_units("si"), *nano = find_si_units("nano");
+  const double created = sphere_volume(0.5);
+  for (const double radius : {37.5e-6, 1e-3, 5e-3})
+    EXPECT_TRUE(is_mass_as_created(created, radius, si)) << radius;
+  EXPECT_TRUE(is_mass_as_created((1.0 + 1e-14) * created, 37.5e-6, si));
+  // Of steel, by chance.
+  EXPECT_FALSE(is_mass_as_created(created, 0.025, si));
+  // A density that makes spheres heavy on purpose, and one that gives nearly this mass.
+  EXPECT_FALSE(is_mass_as_created(1e12 * sphere_volume(37.5e-6), 37.5e-6, si));
+  EXPECT_FALSE(is_mass_as_created((1.0 + 1e-9) * created, 37.5e-6, si));
+  // A density of 1 is 1e6 kg/m^3 there.
+  EXPECT_TRUE(is_mass_as_created(created, 150.0, nano));
+  EXPECT_FALSE(is_mass_as_created(created, 20.0, nano));
+  EXPECT_FALSE(is_mass_as_created(created, 37.5e-6, nullptr));
+}
+
 }  // namespace
 }  // namespace cohesion::advice

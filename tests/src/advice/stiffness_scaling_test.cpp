@@ -219,7 +219,7 @@ TEST(ForStiffness, LogSaysWhatIsKept) {
                       "velocity: A 5e-19 -> "),
             0u);
   EXPECT_EQ(note({1e4, Keep::force}),
-            "adhesion of stiffness 10000 left at stiffness 100, which keeps the pull-off force");
+            "adhesion not scaled from stiffness 10000 to 100, which keeps the pull-off force");
   EXPECT_EQ(note({}), "");
   EXPECT_EQ(note({100.0, Keep::escape_velocity}), "");
 }
@@ -233,9 +233,8 @@ TEST(ForStiffness, OfAModulusScalesWorkOfAdhesionByItsPowerAndSaysSo) {
             "of adhesion 0.1 -> 0.00630957");
   const Material force{1e10, Keep::force, hertz_power};
   EXPECT_EQ(for_stiffness(1e7, force, 0.1), 0.1);
-  EXPECT_EQ(
-      scaling_note(1e7, force, 0.1, 0.1),
-      "adhesion of modulus E* 1e+10 left at modulus E* 1e+07, which keeps the pull-off force");
+  EXPECT_EQ(scaling_note(1e7, force, 0.1, 0.1),
+            "adhesion not scaled from modulus E* 1e+10 to 1e+07, which keeps the pull-off force");
 }
 
 TEST(Material, MixedIsTheGeometricMeanOfWhatBothTell) {
