@@ -51,7 +51,7 @@ ExactContacts::ExactContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
     : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp) {
   // "0": the same seen from the other particle.
   offset_ = owner->add_history_value("contact0", "0");
-  for (int k = 1; k < SIZE; k++)
+  for (int k = 1; k < (wall ? WALL_SIZE : SIZE); k++)
     owner->add_history_value(("contact" + std::to_string(k)).c_str(), "0");
 }
 
@@ -205,6 +205,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
     state.phase = ContactState::held;
   time_apart_ = k->solver->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
+  if (d.is_wall) pass_wall(d, normal, last, state).store(d.contact_history + offset_);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
   const double external = first ? 0.0 : k->solver->external(by_all, now, state);
   if (state.is_outside()) {

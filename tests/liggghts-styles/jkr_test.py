@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 from cohesion_tests.liggghts import Run, assert_refused
 from cohesion_tests.liggghts_scenes import pull_off
 from cohesion_tests.liggghts_scenes.impacts import DIAMETER, WALLS, contacts, left_after_sticking, limits
-from cohesion_tests.liggghts_scenes.scene import frames, part, script, sphere, surface_energy
+from cohesion_tests.liggghts_scenes.scene import frames, hamaker, part, script, sphere, surface_energy
 from cohesion_tests.theory.hertz_contact import HertzPair
 from cohesion_tests.theory.jkr_contact import JkrPair
 
@@ -98,6 +98,18 @@ class Jkr(unittest.TestCase):
                                        degrees, time)
             report(f"{degrees} degrees: {left - 1:.2e}")
             self.assertLess(left, 1 + 1e-3)
+
+    def test_without_surface_energy_it_is_hertz(self):
+        # Pairs that fly past each other and touch within a step, at an overlap of rounding.
+        heights = [-9e-3 + 2e-3 * k for k in range(9)]
+        spheres = [sphere((x, 0, z), velocity) for k, z in enumerate(heights) for x, velocity in (
+            (-4e-3, (0, 0, 0)), (-4e-3 + DIAMETER + 1e-9 * (3 + 0.7 * k), (-2.5e-4, 0.17, 0)))]
+        runs = [frames(spheres, "model hertz tangential history cohesion " + law, surface_energy(0.0) + hamaker(0.0),
+                       dt=1e-5, steps=50, every=50) for law in ("jkr", "hamaker scheme exact")]
+        for number in runs[0][-1]:
+            ours, hertz = (part(run[-1][number], "v") for run in runs)
+            for a, b in zip(ours, hertz):
+                self.assertAlmostEqual(a, b, delta=1e-6)
 
     def test_what_stops_a_run(self):
         two = [sphere((0, 0, 0)), sphere((DIAMETER, 0, 0))]
