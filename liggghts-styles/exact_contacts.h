@@ -177,6 +177,10 @@ class ExactContacts {
                            const cohesion::contact_solver::PersistentStep& step, double time_apart,
                            double* spring);
   void make_solver(CachedContact& k, const ContactModels::SurfacesCloseData& d) const;
+  /// Warns of a contact that overlaps and was beyond what is seen in the step before.
+  void check_sight(const ContactSolver& solver, const ContactModels::SurfacesCloseData& d,
+                   const StaggeredMotion& now) const;
+  std::string names(const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::Atom* atom_;
