@@ -2,6 +2,8 @@
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
 #include <algorithm>
+#include <sstream>
+#include <string>
 
 #include "common/guarded.h"
 #include "common/message.h"
@@ -28,12 +30,12 @@ namespace {
 
 constexpr const char* seen_too_late =
     ", scheme exact: a pair came nearer by more than 0.01 of its radii in one step, from beyond "
-    "what is seen, and when it touched is not known exactly: use a smaller time step";
+    "what is seen, and when it touched is not known exactly: use a smaller time step; first ";
 
 constexpr const char* turned_too_often =
     ", scheme exact: a pair, or a particle and a wall, turned round a hundred times or more within "
     "one step, between contact and the edge of the adhesion or along that edge, and was not "
-    "resolved to the end of that step: use a smaller time step";
+    "resolved to the end of that step: use a smaller time step; first ";
 
 /// Without this flag the engine forgets the contact when it makes a new list.
 void remember(const ContactModels::SurfacesCloseData& d, bool something) {
@@ -51,7 +53,7 @@ ExactContacts::ExactContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
     : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp) {
   // "0": the same seen from the other particle.
   offset_ = owner->add_history_value("contact0", "0");
-  for (int k = 1; k < SIZE; k++)
+  for (int k = 1; k < (wall ? WALL_SIZE : SIZE); k++)
     owner->add_history_value(("contact" + std::to_string(k)).c_str(), "0");
 }
 
@@ -205,6 +207,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
     state.phase = ContactState::held;
   time_apart_ = k->solver->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
+  if (d.is_wall) pass_wall(d, normal, last, state).store(d.contact_history + offset_);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
   const double external = first ? 0.0 : k->solver->external(by_all, now, state);
   if (state.is_outside()) {
@@ -212,8 +215,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
       remember(d, false);
       return false;
     }
-    const double seen = (1.0 + MARGIN) * d.radsum + k->solver->range();
-    if (!first && r - k->solver->step() * now.rate > seen) late_->due = true;
+    if (!first) check_sight(*k->solver, d, now);
   }
   const double velocity_step = first ? 0.5 * k->solver->step() : k->solver->step();
   const ContactState before = state;
@@ -221,10 +223,31 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   if (energies)
     set_energies(*k, d.radsum, {now, external, first, before, state, step.force, step.dissipated},
                  *energies);
-  if (step.normal.unresolved) cut_short_->due = true;
+  if (step.normal.unresolved) cut_short_->found(names(d));
   write(d, state, step);
   exclude_impulse(*k, d, normal, state);
   return true;
+}
+
+/// One that is still outside now is resolved from here on.
+void ExactContacts::check_sight(const ContactSolver& solver,
+                                const ContactModels::SurfacesCloseData& d,
+                                const StaggeredMotion& now) const {
+  const double way = -solver.step() * now.rate, margin = MARGIN * d.radsum;
+  if (late_->due || now.distance >= solver.entry_distance() ||
+      now.distance + way <= d.radsum + margin + solver.range())
+    return;
+  std::ostringstream where;
+  where.precision(3);
+  where << names(d) << ", by " << way / d.radsum << " of the radii at " << -now.rate
+        << ": a time step of " << solver.step() * margin / way << " would do";
+  late_->found(where.str());
+}
+
+std::string ExactContacts::names(const ContactModels::SurfacesCloseData& d) const {
+  const std::string one = std::to_string(atom_->tag[d.i]);
+  return d.is_wall ? "particle " + one + " and fix wall/gran " + wall_->id
+                   : "particles " + one + " and " + std::to_string(atom_->tag[d.j]);
 }
 
 /// Excludes the force of an impulse from the accelerations that other contacts of both particles

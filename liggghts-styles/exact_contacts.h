@@ -94,8 +94,9 @@ class ExactContacts {
   using StaggeredMotion = cohesion::contact_solver::StaggeredMotion;
 
   // What is stored of a contact: its state, the repulsion of the last step, and STEP, the step in
-  // which all this was written, and 1.
-  enum { REPULSION = ContactState::size, STEP, SIZE };
+  // which all this was written, and 1. Next to a wall also the velocity of the wall along the
+  // normal, and by how much it has changed the rate of the distance.
+  enum { REPULSION = ContactState::size, STEP, SIZE, WALL_VELOCITY = SIZE, WALL_CHANGE, WALL_SIZE };
 
   struct FrictionOfRadius {
     double stiffness, damping_squared;
@@ -137,6 +138,28 @@ class ExactContacts {
     const double rate = dot(w, n);
     return {r, rate, d.is_wall ? 0.0 : norm(w - rate * n)};
   }
+  /// The velocity of a wall along the normal, and by how much it has changed the rate of the
+  /// distance since the step before, [length/time].
+  struct WallMotion {
+    double velocity, change;
+    void store(double* history) const {
+      history[WALL_VELOCITY] = velocity;
+      history[WALL_CHANGE] = change;
+    }
+  };
+  /// A wall has a constant velocity in each step. A change acts at once, as where a servo sets the
+  /// velocity anew: only what the last two changes have in common is an acceleration that goes on.
+  /// Moves the rest into the motion before, in `state`. `last`: what is stored; null: nothing.
+  static WallMotion pass_wall(const ContactModels::SurfacesCloseData& d, const double* normal,
+                              const double* last, ContactState& state) {
+    const double velocity = dot(cohesion::vector(d.v_j), cohesion::vector(normal));
+    if (!last) return {velocity, 0.0};
+    const double change = last[WALL_VELOCITY] - velocity, before = last[WALL_CHANGE];
+    const double common =
+        change * before > 0.0 ? std::min(std::abs(change), std::abs(before)) : 0.0;
+    state.last_rate += change - std::copysign(common, change);
+    return {velocity, change};
+  }
   static void set_energies(const CachedContact& k, double contact_distance,
                            const cohesion::contact_solver::SolvedStep& step,
                            ContactEnergies& energies);
@@ -154,6 +177,10 @@ class ExactContacts {
                            const cohesion::contact_solver::PersistentStep& step, double time_apart,
                            double* spring);
   void make_solver(CachedContact& k, const ContactModels::SurfacesCloseData& d) const;
+  /// Warns of a contact that overlaps and was beyond what is seen in the step before.
+  void check_sight(const ContactSolver& solver, const ContactModels::SurfacesCloseData& d,
+                   const StaggeredMotion& now) const;
+  std::string names(const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::Atom* atom_;
@@ -189,6 +216,8 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   const double time_apart = k->solver->step() - state.contact_time;
   cohesion::contact_solver::PersistentStep step;
   const StaggeredMotion at = motion(contact, contact.r, contact.en);
+  WallMotion wall;
+  if (contact.is_wall) wall = pass_wall(contact, contact.en, history, state);
   const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
       at.distance, contact.rinv, at.rate, speed_squared, k->solver->step());
@@ -200,6 +229,7 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   force = state.force;
   set_friction(contact, *k, step, time_apart, spring);
   state.store_persistent(history);
+  if (contact.is_wall) wall.store(history);
   history[REPULSION] = step.repulsion;
   history[STEP] = now + 1.0;
   if (contact.contact_flags) *contact.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;

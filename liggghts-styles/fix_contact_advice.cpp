@@ -177,19 +177,22 @@ int FixContactAdvice::setmask() {
 void FixContactAdvice::pre_exchange() {
   for (const auto& warning : late_) {
     if (warning->given) continue;
-    const int here = warning->due;
-    int anywhere = 0;
-    MPI_Allreduce(&here, &anywhere, 1, MPI_INT, MPI_MAX, world);
-    if (!anywhere) continue;
+    const int here = warning->due ? comm->me : comm->nprocs;
+    int rank = comm->nprocs;
+    MPI_Allreduce(&here, &rank, 1, MPI_INT, MPI_MIN, world);
+    if (rank == comm->nprocs) continue;
     warning->given = true;
-    if (comm->me == 0) error->warning(FLERR, warning->text.c_str());
+    char where[256] = {};
+    warning->first.copy(where, sizeof where - 1);
+    MPI_Bcast(where, sizeof where, MPI_CHAR, rank, world);
+    if (comm->me == 0) error->warning(FLERR, (warning->text + where).c_str());
   }
 }
 
 std::shared_ptr<LateWarning> FixContactAdvice::late_warning(const std::string& text) {
   for (const auto& warning : late_)
     if (warning->text == text) return warning;
-  late_.push_back(std::make_shared<LateWarning>(LateWarning{text}));
+  late_.push_back(std::make_shared<LateWarning>(LateWarning{text, {}}));
   return late_.back();
 }
 

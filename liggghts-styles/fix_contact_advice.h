@@ -18,8 +18,14 @@ namespace Cohesion {
 /// What a step may find wrong, on any rank and in any of the models that share it.
 struct LateWarning {
   std::string text;
+  std::string first;   ///< where it was found first on this rank, behind the text
   bool due = false;    ///< on this rank
   bool given = false;  ///< on all
+
+  void found(const std::string& where) {
+    if (!due) first = where;
+    due = true;
+  }
 };
 
 /// Lets the contact models of pairs and walls say what to expect of a run before its first step and

@@ -187,7 +187,7 @@ inline hamaker::HamakerParameters for_stiffness(double stiffness, const Material
 /// The same of w of JKR's contact.
 inline double for_stiffness(double stiffness, const Material& material, double work_of_adhesion) {
   require_softer(material, stiffness);
-  if (!is_scaled(material, stiffness)) return work_of_adhesion;
+  if (work_of_adhesion == 0.0 || !is_scaled(material, stiffness)) return work_of_adhesion;
   return StiffnessScaling(material, stiffness).work_of_adhesion(work_of_adhesion);
 }
 
@@ -230,6 +230,7 @@ inline std::string scaling_note(double stiffness, const Material& material,
 /// The same of w of JKR's contact.
 inline std::string scaling_note(double stiffness, const Material& material, double real,
                                 double used) {
+  if (real == 0.0) return {};
   std::ostringstream numbers;
   numbers << "work of adhesion " << real << " -> " << used;
   return detail::scaling_note(stiffness, material, numbers.str());

@@ -11,6 +11,7 @@
 
 #include "advice/change_detector.h"
 #include "advice/contact_report.h"
+#include "advice/run_changes.h"
 
 namespace cohesion::advice {
 
@@ -31,9 +32,11 @@ class WarningFilter {
   ///
   /// Within a run, where step and particles may change all the time and engines print tables of
   /// their own, the table comes with contacts alone that there were none of, and a warning once of
-  /// each contact and subject.
+  /// each contact and subject. Why a run must not go on is followed by what has become worse.
   Report only_new(Report report, const std::vector<AdvisedContact>& contacts,
                   const RunConditions& now) {
+    if (now.within_run && !report.stop.empty()) report.stop += worse_since(judged_, now);
+    judged_ = now;
     const std::set<std::string> changed = changed_since(contacts, now);
     report.warnings = fresh(report.warnings, changed);
     if (changed.empty() && (now.within_run || report.warnings.empty())) {
@@ -129,6 +132,7 @@ class WarningFilter {
     return a == b || std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b));
   }
 
+  RunConditions judged_{};
   std::map<std::string, PrintedContact> printed_;
   std::map<std::pair<std::string, Subject>, std::string> warnings_;
 };

@@ -49,7 +49,6 @@ inline void set_hertz(ContactParameters& p, double youngs_modulus, double poisso
 /// Sets the work of adhesion of two surfaces of this energy [energy/length^2]. Throws
 /// InvalidParameter unless gamma > 0.
 inline void set_surface_energy(ContactParameters& p, double gamma) {
-  require_positive("surface energy gamma", gamma);
   p.work_of_adhesion = work_of_adhesion(gamma);
 }
 

@@ -30,7 +30,7 @@ inline double surface_energy(double work_of_adhesion) { return 0.5 * work_of_adh
 /// A neck forms where two touch, x = 0; they tear apart at a^3 = pi w R*^2/(8 E*), x < 0. The
 /// energy is that of the surfaces, too: U = 0 without a neck, and what U falls at touch and is left
 /// at tearing is lost. The dashpot c = sqrt(5) b sqrt(mu 4 E*/(3 R*)) sqrt(R*) sqrt(a) is that of
-/// Hertz's contact with constant restitution where w = 0.
+/// Hertz's contact with constant restitution where w = 0; so are force and energy then.
 ///
 ///   pull-off force                (3/2) pi w R*
 ///   work from touch to tearing    7.0922 (w^5 R*^4/E*^2)^(1/3)
@@ -40,8 +40,8 @@ inline double surface_energy(double work_of_adhesion) { return 0.5 * work_of_adh
 class JkrSpringDashpot {
  public:
   /// hertz: the contact without adhesion, with constant restitution; R* [length], w
-  /// [energy/length^2]. Throws InvalidParameter unless R* and w are positive, and where the dashpot
-  /// is another.
+  /// [energy/length^2]. Throws InvalidParameter unless R* > 0 and w >= 0, and where the dashpot is
+  /// another.
   JkrSpringDashpot(const HertzSpringDashpot& hertz, double reduced_radius, double work_of_adhesion)
       : modulus_(hertz.reduced_modulus(reduced_radius)),
         radius_(reduced_radius),
@@ -54,7 +54,7 @@ class JkrSpringDashpot {
     damping_ = hertz.damping() / std::sqrt(std::sqrt(reduced_radius));
   }
 
-  /// The same contact with another work of adhesion. Throws InvalidParameter unless it is positive.
+  /// The same contact with another work of adhesion. Throws InvalidParameter unless it is >= 0.
   JkrSpringDashpot with_work_of_adhesion(double work_of_adhesion) const {
     JkrSpringDashpot other = *this;
     other.adhere(work_of_adhesion);
@@ -85,14 +85,17 @@ class JkrSpringDashpot {
   /// At an overlap x >= lowest_overlap() [length]. Inlined, so that what a caller does not need
   /// costs nothing.
   [[gnu::always_inline]] LawPoint at(double x) const {
-    const double s = scale_ * root_of_radius(std::max(x, lowest_) * inverse_cube_);
+    const bool adheres = neck_ > 0.0;
+    const double s = adheres ? scale_ * root_of_radius(std::max(x, lowest_) * inverse_cube_)
+                             : std::sqrt(std::sqrt(radius_ * std::max(x, 0.0)));
     const double s2 = s * s, s3 = s2 * s, kR = neck_ * radius_;
     const double pull = modulus_ * neck_;
     // Where they tear apart the stiffness is without bound.
     const double steep = std::max(4.0 * s3 - kR, 1e-9 * kR);
     LawPoint p;
     p.force = stiffness_ * s3 * s3 - 2.0 * pull * s3;
-    p.stiffness = radius_ * 6.0 * s2 * (stiffness_ * s3 - pull) / steep;
+    p.stiffness = adheres ? radius_ * 6.0 * s2 * (stiffness_ * s3 - pull) / steep
+                          : 1.5 * radius_ * stiffness_ * s2;
     p.energy = s2 * s2 *
                (0.4 * stiffness_ / radius_ * s3 * s3 - 4.0 / 3.0 * pull / radius_ * s3 +
                 0.5 * pull * neck_);
@@ -130,7 +133,7 @@ class JkrSpringDashpot {
   }
 
   void adhere(double work_of_adhesion) {
-    require_positive("work of adhesion", work_of_adhesion);
+    require_non_negative("work of adhesion", work_of_adhesion);
     work_of_adhesion_ = work_of_adhesion;
     neck_ = std::sqrt(2.0 * pi * work_of_adhesion / modulus_);
     scale_ = std::cbrt(neck_ * radius_);

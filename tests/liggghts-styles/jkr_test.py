@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 from cohesion_tests.liggghts import Run, assert_refused
 from cohesion_tests.liggghts_scenes import pull_off
 from cohesion_tests.liggghts_scenes.impacts import DIAMETER, WALLS, contacts, left_after_sticking, limits
-from cohesion_tests.liggghts_scenes.scene import frames, part, script, sphere, surface_energy
+from cohesion_tests.liggghts_scenes.scene import contact, frames, part, script, sphere, surface_energy
 from cohesion_tests.theory.hertz_contact import HertzPair
 from cohesion_tests.theory.jkr_contact import JkrPair
 
@@ -98,6 +98,18 @@ class Jkr(unittest.TestCase):
                                        degrees, time)
             report(f"{degrees} degrees: {left - 1:.2e}")
             self.assertLess(left, 1 + 1e-3)
+
+    def test_without_surface_energy_it_is_hertz(self):
+        # Two grains fall past each other at a distance of one diameter: they touch at an overlap of rounding.
+        spheres = [sphere((x, 7e-4, z), radius=0.5e-3, density=2500.0) for x, z in ((3.3e-3, 1e-3), (2.3e-3, 3e-3))]
+        models = "model hertz tangential history cohesion jkr"
+        properties = contact().replace("0.3 0.3", "0.25 0.25").replace("0.9", "0.7").replace("0.3 ", "0.5 ")
+        rows = frames(spheres, models, surface_energy(0.0), contacts=properties, dt=1e-5, steps=4000, every=400, skin=5e-4,
+                      walls=["primitive type 2 zplane 0"], extra="fix weight all gravity 9.81 vector 0 0 -1\n")
+        for frame in rows:
+            for number in (1, 2):
+                self.assertTrue(all(math.isfinite(value) for value in frame[number]))
+                self.assertLess(math.hypot(*part(frame[number], "v")), 0.3)
 
     def test_what_stops_a_run(self):
         two = [sphere((0, 0, 0)), sphere((DIAMETER, 0, 0))]

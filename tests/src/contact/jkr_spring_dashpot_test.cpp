@@ -74,4 +74,24 @@ TEST(JkrSpringDashpot, WithoutAdhesionItIsHertz) {
   }
 }
 
+TEST(JkrSpringDashpot, WithAWorkOfAdhesionOfZeroItIsHertzFromTouchOn) {
+  for (const JkrSpringDashpot& none :
+       {JkrSpringDashpot(hertz, radius, 0.0), law.with_work_of_adhesion(0.0)}) {
+    EXPECT_EQ(none.lowest_overlap(), 0.0);
+    EXPECT_EQ(none.touch_energy(), 0.0);
+    EXPECT_EQ(none.friction_load(), 0.0);
+    for (const double x : {0.0, 1e-300, 1e-20, 1e-7, 1e-6}) {
+      const LawPoint a = none.at(x), b = hertz.at(x);
+      EXPECT_NEAR(a.force, b.force, 1e-13 * b.force) << x;
+      EXPECT_NEAR(a.stiffness, b.stiffness, 1e-13 * b.stiffness) << x;
+      EXPECT_NEAR(a.energy, b.energy, 1e-13 * b.energy) << x;
+      EXPECT_NEAR(a.damping, b.damping, 1e-13 * b.damping) << x;
+      EXPECT_NEAR(a.damping_integral, b.damping_integral, 1e-13 * b.damping_integral) << x;
+      EXPECT_NEAR(a.radius_stiffness, b.radius_stiffness, 1e-13 * b.radius_stiffness) << x;
+    }
+    EXPECT_EQ(none.at(-1e-20).force, 0.0);
+  }
+  EXPECT_THROW(JkrSpringDashpot(hertz, radius, -1e-3), InvalidParameter);
+}
+
 }  // namespace cohesion::contact

@@ -56,6 +56,19 @@ struct HeadOn {
 
 }  // namespace
 
+TEST(IntegratedContact, BeginsWhereRoundingHasAPairBeyondTouch) {
+  const Grains g = glass(1e-4, 1e9, 0.9);
+  const double dt = g.law().contact_time(0.1) / 20.0;
+  const IntegratedContact contact(g.law(), 0.0, dt);
+  Overlap at{0.0, 0.1}, beyond{-1e-20, 0.1};
+  NormalRecord record, same;
+  EXPECT_EQ(contact.advance(at, dt, 0.0, record), dt);
+  EXPECT_EQ(contact.advance(beyond, dt, 0.0, same), dt);
+  EXPECT_EQ(beyond.x, at.x);
+  EXPECT_EQ(beyond.v, at.v);
+  EXPECT_EQ(same.dissipated, record.dissipated);
+}
+
 TEST(IntegratedContact, RestitutionIsTheSameAtEverySpeed) {
   // Of second order in the step, and no more than a part of what the dashpot takes.
   for (const double restitution : {0.5, 0.7, 0.9, 0.99})
