@@ -5,6 +5,9 @@
 #include "void_fraction/sphere_overlap.h"
 
 #include "sixDigits.H"
+#include "stability/rankOfLargest.H"
+
+#include <string>
 
 using namespace cohesion;
 
@@ -14,7 +17,7 @@ void Foam::gasParticleCoupling::requireMinVoidFraction() const
     label tooDense = 0;
     scalar excess = 0;
     scalar lowest = GREAT;
-    point where = point::max;
+    label lowestCell = -1;
     forAll(voidFraction_, celli)
     {
         if (voidFraction_[celli] < minVoidFraction_)
@@ -24,7 +27,7 @@ void Foam::gasParticleCoupling::requireMinVoidFraction() const
             if (voidFraction_[celli] < lowest)
             {
                 lowest = voidFraction_[celli];
-                where = mesh_.C()[celli];
+                lowestCell = celli;
             }
         }
     }
@@ -32,22 +35,42 @@ void Foam::gasParticleCoupling::requireMinVoidFraction() const
     {
         return;
     }
-    const scalar mine = lowest;
+    const scalar ofRank = lowest;
+    reduce(lowest, minOp<scalar>());
+    const bool mine = isRankOfLargest(-ofRank, -lowest);
+    const point where = valueOfRank(mine, mine ? mesh_.C()[lowestCell] : point::zero);
+    const scalar size = valueOfRank(mine, mine ? mesh_.V()[lowestCell] : 0);
+    const label number = valueOfRank(mine, lowestCell);
+    const label rank = valueOfRank(mine, Pstream::myProcNo());
     reduce(tooDense, sumOp<label>());
     reduce(excess, sumOp<scalar>());
-    reduce(lowest, minOp<scalar>());
-    where = mine == lowest ? where : point::max;
-    reduce(where, minOp<point>());
-    const std::string overlap(void_fraction::SphereOverlap::name);
+    const std::string whose(Pstream::parRun() ? " of rank " + std::to_string(rank) : "");
+    const std::string cure(denseCellCure(size));
 
     FatalIOErrorInFunction(dict_)
         << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
-        << "; the lowest is " << lowest << ", of the cell at " << where << nl
+        << "; the lowest is " << lowest << ", of cell " << number << whose.c_str() << " at " << where << ", of "
+        << sixDigits(size).c_str() << " m3" << nl
         << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/spreadVolume_
-        << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it"
-        << (dict_.get<word>("voidFraction") == overlap ? "" : ", voidFraction sphereOverlap")
-        << ", or, in a bed twenty widths high and more, a" << (dict_.found("smoothingWidth") ? " larger" : "")
-        << " smoothingWidth" << exit(FatalIOError);
+        << " % of all particles; nothing is clipped. " << cure.c_str() << exit(FatalIOError);
+}
+
+
+std::string Foam::gasParticleCoupling::denseCellCure(const scalar size) const
+{
+    const std::string larger(dict_.found("smoothingWidth") ? "larger " : "");
+    const scalar mean = gSum(mesh_.V().field())/mesh_.globalData().nTotalCells();
+    if (size < 0.5*mean)
+    {
+        const scalar diameter = 2*gMax(scalarField(coupledParticles_.radii()));
+        return "The cell has " + sixDigits(100*size/mean) + " % of the mean cell volume, " + sixDigits(mean) + " m3: a"
+            " cell that a wall or a refinement cuts this small may lie within particles. A " + larger
+          + "smoothingWidth of one particle diameter, " + sixDigits(diameter) + " m, cures it, or,"
+            " where such cells are few, a lower minVoidFraction; or larger cells at the wall";
+    }
+    const bool overlap = dict_.get<word>("voidFraction") == void_fraction::SphereOverlap::name;
+    return std::string("Cells of a few particle diameters cure it") + (overlap ? "" : ", voidFraction sphereOverlap")
+      + ", or, in a bed twenty widths high and more, a " + larger + "smoothingWidth";
 }
 
 

@@ -39,6 +39,30 @@ std::string inWords(const Foam::ITstream& entry)
     return words.str();
 }
 
+
+//- FatalIOError where a variable has a name that the solver sets
+void requireOwnName(const Foam::dictionary& coeffs, const Foam::word& variable)
+{
+    using namespace Foam;
+    if (variable == "restart" || variable == "continued")
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "variables: '" << variable << "' is set by the solver: 'continued' says whether a run of this case is"
+            << " continued, and 'restart' is the file of its particles, 'none' in a new run" << nl
+            << "    To begin a new run from a file of particles, take another name, for instance 'settled', and"
+            << " 'read_restart ${settled}' in the script where the run is not continued" << exit(FatalIOError);
+    }
+}
+
+
+//- What an engine says of a restart file named none does not tell where the name is from.
+std::string withHint(const std::string& text)
+{
+    const bool ofNewRun = text.find("restart file none") != std::string::npos;
+    return !ofNewRun ? text : text + "\n    In a new run the variable 'restart', which the solver sets, is 'none': read"
+        " it only where 'continued' says so, and give the file that a new run begins from another name";
+}
+
 } // End anonymous namespace
 
 
@@ -217,7 +241,7 @@ coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word
     settings.on_message =
         [show = engineMessages(name), &kept = kept_](const coupling::MessageLevel level, const std::string& text)
     {
-        show(level, text);
+        show(level, withHint(text));
         if (level == coupling::MessageLevel::error)
         {
             kept.release();
@@ -232,6 +256,7 @@ coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word
     }
     for (const entry& variable : coeffs.subOrEmptyDict("variables"))
     {
+        requireOwnName(coeffs, variable.keyword());
         settings.variables[variable.keyword()] = inWords(variable.stream());
     }
     settings.communicator = MPI_COMM_WORLD;
@@ -273,6 +298,10 @@ void Foam::gasParticleCoupling::requireEngine()
     {
         const EngineOfCase engine(engineOfCase());
         checkScript(dict_.subDict(engine.name + "Coeffs"), engine.settings, dict_.ownVariables(engine.name));
+        if (!continued_)
+        {
+            requireBoxOfScript(dict_, mesh_, engine.settings);
+        }
     }
     catch (const std::exception& error)
     {
@@ -311,7 +340,7 @@ void Foam::gasParticleCoupling::makeEngine()
     }
     catch (const std::exception& error)
     {
-        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
+        FatalIOErrorInFunction(dict_) << withHint(error.what()).c_str() << exit(FatalIOError);
     }
 }
 

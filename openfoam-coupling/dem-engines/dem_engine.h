@@ -62,6 +62,7 @@ class DemEngine {
     std::array<double, 3> low;
     std::array<double, 3> high;
     std::array<bool, 3> periodic;  ///< what leaves it comes back on the other side, now and then
+    std::array<bool, 3> fixed;     ///< both ends stay where the script sets them
   };
 
   /// The lowest and the highest of accelerations in each direction [length/time^2]; the lowest is
@@ -117,7 +118,7 @@ class DemEngine {
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 7;
+inline constexpr int dem_engine_interface = 8;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

@@ -153,10 +153,15 @@ class LammpsFamilyEngine : public DemEngine {
   SimulationBox box() override {
     const auto* domain = lammps_->domain;
     // In two dimensions nothing leaves along z, which the engine calls periodic.
+    const auto fixed = [&](int d) {
+      constexpr int f = 1;  // as the engine numbers p, f, s, m
+      return domain->boundary[d][0] == f && domain->boundary[d][1] == f;
+    };
     return {{domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]},
             {domain->boxhi[0], domain->boxhi[1], domain->boxhi[2]},
             {domain->xperiodic != 0, domain->yperiodic != 0,
-             domain->zperiodic != 0 && domain->dimension == 3}};
+             domain->zperiodic != 0 && domain->dimension == 3},
+            {fixed(0), fixed(1), fixed(2)}};
   }
 
  private:

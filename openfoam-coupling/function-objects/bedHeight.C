@@ -8,6 +8,7 @@
 
 #include "coupling/fromFirstRank.H"
 #include "coupling/input/readPositive.H"
+#include "coupling/sixDigits.H"
 
 #include <limits>
 #include <vector>
@@ -70,6 +71,7 @@ bool Foam::functionObjects::bedHeight::read(const dictionary& dict)
             << name() << ": limit = " << limit_ << ": must lie between 0 and 1" << exit(FatalIOError);
     }
     sortCells(dict);
+    warnOfChangingSection(dict);
     return true;
 }
 
@@ -97,6 +99,22 @@ void Foam::functionObjects::bedHeight::sortCells(const dictionary& dict)
             << name() << ": layers = " << layers_ << ": layer " << empty + 1 << " from the bottom, "
             << (top_ - bottom_)/layers_ << " m thick, holds no cell's centre; take layers that are"
             << " not thinner than cells" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::functionObjects::bedHeight::warnOfChangingSection(const dictionary& dict) const
+{
+    constexpr scalar some = 0.05;
+    const Column of(column(up_));
+    if (of.foot > 0 && of.variation() > some)
+    {
+        IOWarningInFunction(dict)
+            << name() << ": the cross-section of the mesh changes along direction " << up_ << ": its faces that face"
+            << " against it have " << sixDigits(of.foot).c_str() << " m2 as seen along it, and its volume over its"
+            << " height is " << sixDigits(of.mean).c_str() << " m2. There 'mean' and 'expansion', which refer to a"
+            << " column of one cross-section, are no height of the bed; use 'surface'. Heights begin at the lowest"
+            << " point of the mesh, at " << bottom_ << " m" << endl;
     }
 }
 

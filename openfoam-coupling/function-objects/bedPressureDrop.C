@@ -9,6 +9,7 @@
 #include "sphere.h"
 
 #include "coupling/fromFirstRank.H"
+#include "coupling/sixDigits.H"
 
 namespace Foam
 {
@@ -100,27 +101,26 @@ Foam::labelList Foam::functionObjects::bedPressureDrop::readPatches
 
 void Foam::functionObjects::bedPressureDrop::setArea(const dictionary& dict)
 {
-    area_ = 0;
-    for (const fvPatch& patch : mesh_.boundary())
-    {
-        if (!patch.coupled())
-        {
-            area_ += sum(max(-(patch.Sf() & up_), scalar(0)));
-        }
-    }
-    reduce(area_, sumOp<scalar>());
-    const scalarField corners(mesh_.points() & up_);
-    const scalar height = gMax(corners) - gMin(corners);
-    const scalar volume = gSum(mesh_.V());
-    // Corners may be written with six digits.
-    if (mag(area_*height - volume) > 1e-3*volume)
+    // Corners may be written with six digits, and a snapped mesh follows a wall to some per cent.
+    constexpr scalar rounding = 1e-3, snapped = 0.05;
+    const Column of(column(up_));
+    area_ = of.foot;
+    if (of.variation() > snapped)
     {
         FatalIOErrorInFunction(dict)
             << name() << ": the mesh is no column of one cross-section along direction " << up_
-            << ": its faces that face against it have " << area_ << " m2 as seen along it, times the height of "
-            << height << " m that is not the volume of " << volume << " m3; give the axis of the column as"
-            << " direction. Where the cross-section changes, or the column is periodic along its axis, the drop"
-            << " between patches is told by OpenFOAM's surfaceFieldValue" << exit(FatalIOError);
+            << ": its faces that face against it have " << sixDigits(of.foot).c_str() << " m2 as seen along it, and its volume over its"
+            << " height is " << of.mean << " m2; give the axis of the column as direction. Where the cross-section"
+            << " changes, or the column is periodic along its axis, use OpenFOAM's surfaceFieldValue for the drop"
+            << " between patches" << exit(FatalIOError);
+    }
+    if (of.variation() > rounding)
+    {
+        area_ = of.mean;
+        IOWarningInFunction(dict)
+            << name() << ": the cross-section of the mesh varies along direction " << up_ << ": its faces that face"
+            << " against it have " << sixDigits(of.foot).c_str() << " m2 as seen along it. The columns refer to the"
+            << " mean cross-section, " << sixDigits(of.mean).c_str() << " m2" << endl;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "Time.H"
 #include "fvMesh.H"
+#include "volFields.H"
 
 namespace
 {
@@ -62,7 +63,27 @@ Foam::vector Foam::functionObjects::particleFunctionObject::readDirection(const 
             << "; give the direction in which heights are measured, for instance (0 0 1)"
             << exit(FatalIOError);
     }
-    return direction/mag(direction);
+    // In messages 0 has no sign.
+    return direction/mag(direction) + vector(Zero);
+}
+
+
+Foam::functionObjects::particleFunctionObject::Column Foam::functionObjects::particleFunctionObject::column
+(
+    const vector& up
+) const
+{
+    scalar foot = 0;
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (!patch.coupled())
+        {
+            foot += sum(max(-(patch.Sf() & up), scalar(0)));
+        }
+    }
+    reduce(foot, sumOp<scalar>());
+    const scalarField corners(mesh_.points() & up);
+    return {foot, gSum(mesh_.V().field())/(gMax(corners) - gMin(corners))};
 }
 
 

@@ -19,6 +19,13 @@ CASES = {
     "particle outside the mesh": (
         lambda c: cut_mesh(c),
         ["1 particle is outside the mesh", "it is particle 1 at (0.031 0.029 0.19)"]),
+    # The cells end in one of 4.3 mm of a height of 20 mm in the mean.
+    "cell much smaller than the others, and denser than allowed": (
+        lambda c: (edit(c, "system/blockMeshDict", "simpleGrading (1 1 1)", "simpleGrading (1 1 0.1)"),
+                   c.run("blockMesh"), edit(c, "particles.lmp", "0.029 0.19", "0.029 0.198"),
+                   c.set(COUPLING, "minVoidFraction", 0.99999999)),
+        ["of cell 85 at (0.03 0.03 0.19", "% of the mean cell volume, 8e-06 m3",
+         "A smoothingWidth of one particle diameter, 0.0001 m, cures it", "a lower minVoidFraction"]),
     "depth on a 3-D mesh": (
         lambda c: c.set(COUPLING, "depth", 1e-3),
         ["depth = 0.001", "2-D mesh", "3 dimensions"]),

@@ -33,7 +33,16 @@ SCRIPT_CASES = {
         ["units cgs", "use 'units si'"]),
     "box of another size": (
         lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
-        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
+        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m", "to less than a cell's width of 0.02 m"]),
+    "periodic box of nearly the size": (
+        lambda c: (edit(c, SCRIPT, "boundary     f f f", "boundary     f f p"), edit(c, SCRIPT, "0 0.2", "0 0.200001")),
+        ["in direction z", "from 0 to 0.200001 m", "the mesh from 0 to 0.2 m", "to 2e-07 m"]),
+    "variable that the solver sets": (
+        lambda c: append(c, COUPLING, f'{ENGINE}Coeffs {{ variables {{ restart "settled.restart"; }} }}'),
+        ["variables: 'restart' is set by the solver", "take another name, for instance 'settled'", "couplingProperties"]),
+    "file of particles that only a continued run has": (
+        lambda c: edit(c, SCRIPT, "create_box   1 box", "read_restart ${restart}"),
+        ["In a new run the variable 'restart', which the solver sets, is 'none'", "another name"]),
     "script without gravity": (
         lambda c: edit(c, SCRIPT, "fix weight   all gravity 9.81 vector 0 0 -1", ""),
         ["gravity is (0 0 -9.81) m/s2 for the gas", "and (0 0 0) m/s2 for the particles",
@@ -215,7 +224,7 @@ CASES = {
         lambda c: c.set(COUPLING, "minVoidFraction", 0.99999999),
         # One sphere of 100 um in a cell of 8e-6 m3: 5.24e-13 m3, of which 8e-14 are allowed.
         ["1 cells have a void fraction below minVoidFraction = 0.99999999", "the lowest is",
-         "The solid beyond the limit is 4.43598", "nothing is clipped",
+         "of cell 85 at (0.03 0.03 0.19), of 8e-06 m3", "The solid beyond the limit is 4.43598", "nothing is clipped",
          "Cells of a few particle diameters cure it, voidFraction sphereOverlap, or, in a bed twenty widths high and"
          " more, a smoothingWidth"]),
     "cell denser than allowed, with all that smooths": (

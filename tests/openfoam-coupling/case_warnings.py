@@ -11,6 +11,7 @@ from cohesion_tests.refusals import assert_says
 
 DIAMETER, CELL = 16e-3, 20e-3  # [m]
 VOID = 1 - 3.141592653589793 / 6 * (DIAMETER / CELL) ** 3
+BLOCKS = "system/blockMeshDict"
 INLET = "type superficialVelocity; superficialVelocity (0 0 0);"
 
 
@@ -135,10 +136,12 @@ class CaseWarnings(CoupledTestCase):
         said = "particles do not touch, and fall through each other"
         contacts = ("particles.lmp", "pair_style   gran/hooke/history 100 NULL 0 NULL 0 0\npair_coeff   * *\n", "")
         log = self.edited("contactless", contacts)
-        self.warned("no pair style", log, said, "particles.lmp has no pair_style", "particles that never meet need none",
+        self.warned("no pair style", log, said, "particles.lmp has no pair_style", "for particles that never meet, write 'pair_style none'",
                     "couplingProperties")
         self.expect_true("before the particle script", log.index(said) < log.index("Particle engine lammps"))
         self.quiet("a pair style", self.edited("contacts"), said)
+        none = self.edited("none-meant", (*contacts[:2], "pair_style none\ncomm_modify cutoff 1e-3\n"))
+        self.quiet("none, as the script says", none, said)
         included = self.edited("included", (*contacts[:2], "include contacts.lmp\n"), ("contacts.lmp", "", contacts[1]))
         self.quiet("in a file that is included", included, said)
 
@@ -164,6 +167,23 @@ class CaseWarnings(CoupledTestCase):
                     "Take 'p' for x in the command boundary", "couplingProperties")
         self.quiet("both", self.edited("both", box, periodic=True), said)
         self.quiet("none", self.edited("closed"), said)
+
+    def test_cross_section_that_changes(self):
+        """The top of the column in squares of another side [mm]: the mean cross-section is (60^2 + 60 side + side^2)/3."""
+        def observed(name, side, kind):
+            top = (BLOCKS, "(0 0 200) (60 0 200) (60 60 200) (0 60 200)",
+                   f"(0 0 200) ({side} 0 200) ({side} {side} 200) (0 {side} 200)")
+            return self.edited(name, top, control=f"endTime 1e-4; functions {{ observed {{ {kind}"
+                               " libs (cohesionFunctionObjects); writeControl timeStep; } }")
+
+        said = "observed: the cross-section of the mesh"
+        drop, height = "type bedPressureDrop;", "type bedHeight; layers 10;"
+        self.warned("a drop, 3 %", observed("drop", 62, drop), f"{said} varies along direction (0 0 1)", "0.003844 m2",
+                    "the mean cross-section, 0.00372133 m2", "controlDict")
+        self.quiet("a drop, in a column", observed("drop-column", 60, drop), said)
+        self.warned("a height, 10 %", observed("cone", 66, height), f"{said} changes along direction (0 0 1)",
+                    "0.003972 m2", "use 'surface'", "the lowest point of the mesh, at 0 m", "controlDict")
+        self.quiet("a height, 3 %", observed("height", 62, height), said)
 
     def test_entries_that_nothing_reads(self):
         observed = "functions {{ observed {{ libs (cohesionFunctionObjects); {} writeControl timeStep; }} }}"

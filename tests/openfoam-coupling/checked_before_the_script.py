@@ -105,6 +105,9 @@ CASES = {
     "script without units": (
         lambda c: edit(c, "particles.lmp", "units        si", ""),
         ["particles.lmp has no command units, and then has units lj", "use 'units si'"]),
+    "box of another size": (
+        lambda c: edit(c, "particles.lmp", "0 0.2", "0 0.3"),
+        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
     "gas step that is no multiple": (
         lambda c: append(c, CONTROL, "deltaT 1.05e-4;"),
         ["deltaT = 0.000105", "10.5 steps", "whole multiple", "controlDict"]),

@@ -45,6 +45,9 @@ RUN = {
     "none for a particle that nve/noforce leads": lambda c: (
         gravity(c, ""), edit(c, SCRIPT, "nve/sphere", "nve/noforce")),
     "not where the mesh ends": plane,
+    # The walls of a snapped mesh end at other places than their STL, and a box may be smaller than the mesh or larger.
+    "a box of nearly the size of the mesh": lambda c: edit(c, SCRIPT, "0 0.06 0 0.06 0 0.2",
+                                                           "-0.009 0.0600001 1e-3 0.06 0 0.2"),
     "kept in a plane behind": lambda c: edit(c, SCRIPT, GAS, GAS + "\nfix flat all planeforce 0 1 0"),
 }
 if ENGINE == "liggghts":

@@ -2,9 +2,14 @@
 #include "caseChecks.H"
 
 #include "boundBox.H"
+#include "PstreamReduceOps.H"
 #include "error.H"
+#include "globalMeshData.H"
+#include "scalarField.H"
 
 #include "coupling/sixDigits.H"
+
+#include <cmath>
 
 using SimulationBox = cohesion::coupling::DemEngine::SimulationBox;
 
@@ -14,10 +19,32 @@ namespace Foam
 namespace
 {
 
-//- FatalIOError unless box and mesh end at the same places
-void requireSameEnds(const dictionary& dict, const boundBox& bounds, const SimulationBox& box, const direction d)
+//- Mean width of the cells, in the directions that the mesh resolves [m]. All ranks call it.
+scalar meanCellWidth(const polyMesh& mesh)
 {
-    const scalar tolerance = 1e-6*bounds.span()[d];
+    scalar size = gSum(mesh.cellVolumes())/mesh.globalData().nTotalCells();
+    for (direction d = 0; d < 3; ++d)
+    {
+        size /= mesh.geometricD()[d] < 0 ? mesh.bounds().span()[d] : 1;
+    }
+    return std::pow(size, 1.0/mesh.nGeometricD());
+}
+
+
+//- FatalIOError unless box and mesh end at the same places: to round-off of six digits, or to `fixedTolerance` where
+//  the ends of the box are fixed and those of the mesh are not periodic, so that walls hold the particles
+void requireSameEnds
+(
+    const dictionary& dict,
+    const boundBox& bounds,
+    const bool periodicMesh,
+    const SimulationBox& box,
+    const scalar fixedTolerance,
+    const direction d
+)
+{
+    const bool walls = box.fixed[d] && !periodicMesh;
+    const scalar tolerance = walls ? fixedTolerance : 1e-6*bounds.span()[d];
     if
     (
         mag(box.low[d] - bounds.min()[d]) > tolerance
@@ -28,7 +55,9 @@ void requireSameEnds(const dictionary& dict, const boundBox& bounds, const Simul
             << "in direction " << vector::componentNames[d] << " the box of the particle"
             << " script reaches from " << box.low[d] << " to " << box.high[d]
             << " m, the mesh from " << bounds.min()[d] << " to " << bounds.max()[d]
-            << " m: give the script's box the size of the mesh" << exit(FatalIOError);
+            << " m: give the script's box the size of the mesh, "
+            << (walls ? "to less than a cell's width of " : "to ") << sixDigits(tolerance).c_str() << " m"
+            << exit(FatalIOError);
     }
 }
 
@@ -85,14 +114,28 @@ void warnOfPeriodicity(const dictionary& dict, const bool mesh, const bool box, 
 } // End anonymous namespace
 
 
+void requireEndsOfMesh(const dictionary& dict, const polyMesh& mesh, const SimulationBox& box)
+{
+    const FixedList<bool, 3> periodic(periodicDirections(mesh));
+    const scalar width = meanCellWidth(mesh);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh.geometricD()[d] > 0)
+        {
+            requireSameEnds(dict, mesh.bounds(), periodic[d], box, width, d);
+        }
+    }
+}
+
+
 void requireBoxOfMesh(const dictionary& dict, const polyMesh& mesh, const SimulationBox& box)
 {
+    requireEndsOfMesh(dict, mesh, box);
     const FixedList<bool, 3> periodic(periodicDirections(mesh));
     for (direction d = 0; d < 3; ++d)
     {
         if (mesh.geometricD()[d] > 0)
         {
-            requireSameEnds(dict, mesh.bounds(), box, d);
             warnOfPeriodicity(dict, periodic[d], box.periodic[d], d);
         }
         else if (box.periodic[d])

@@ -44,9 +44,8 @@ std::string foreignUnits(const particleScript& script)
 bool hasContacts(const particleScript& script)
 {
     const auto styles = script.wordsBehind("pair_style");
-    const bool some =
-        std::any_of(styles.begin(), styles.end(), [](const std::string& style) { return style != "none"; });
-    return some || !script.all();
+    // `pair_style none` says that none are meant.
+    return styles.size() || !script.all();
 }
 
 
@@ -115,8 +114,39 @@ void Foam::checkScript
         IOWarningInFunction(dict)
             << "the particle script " << settings.script.c_str() << " has no pair_style: particles do not touch, and"
             << " fall through each other" << nl
-            << "    Give the contacts by pair_style and pair_coeff; particles that never meet need none" << endl;
+            << "    Give the contacts by pair_style and pair_coeff; for particles that never meet, write"
+            << " 'pair_style none'" << endl;
     }
+}
+
+
+void Foam::requireBoxOfScript(const dictionary& dict, const polyMesh& mesh, const DemEngineSettings& settings)
+{
+    // Low and high end of each direction, and whether they are periodic and fixed; empty where the text has no box
+    scalarList ends;
+    if (Pstream::master())
+    {
+        const auto box = particleScript(settings.folder, settings.script, settings.variables).box();
+        for (direction d = 0; box && d < 3; ++d)
+        {
+            const auto& [low, high, periodic, fixed] = *box;
+            ends.append(scalarList({low[d], high[d], scalar(periodic[d]), scalar(fixed[d])}));
+        }
+    }
+    fromFirstRank(ends);
+    if (ends.empty())
+    {
+        return;
+    }
+    cohesion::coupling::DemEngine::SimulationBox box;
+    for (direction d = 0; d < 3; ++d)
+    {
+        box.low[d] = ends[4*d];
+        box.high[d] = ends[4*d + 1];
+        box.periodic[d] = ends[4*d + 2] > 0;
+        box.fixed[d] = ends[4*d + 3] > 0;
+    }
+    requireEndsOfMesh(dict, mesh, box);
 }
 
 

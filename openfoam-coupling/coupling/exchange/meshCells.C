@@ -57,7 +57,17 @@ public:
         {
             return false;
         }
-        if (cells_.isBox_[celli_])
+        const void_fraction::Box& inner = cells_.inner_[std::size_t(celli_)];
+        if
+        (
+            cells_.isBox_[celli_]
+         ||
+            (
+                at.x > inner.low.x && at.x < inner.high.x
+             && at.y > inner.low.y && at.y < inner.high.y
+             && at.z > inner.low.z && at.z < inner.high.z
+            )
+        )
         {
             return true;
         }
@@ -104,6 +114,10 @@ Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& ke
 {
     // Demand-driven data that all ranks make together
     search_.cellTree();
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        inner_.push_back(isBox_[celli] ? boxes_[std::size_t(celli)] : innerBox(celli));
+    }
 }
 
 
@@ -146,7 +160,6 @@ std::vector<void_fraction::Box> Foam::meshCells::boxes()
     {
         boundBox bounds(mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()), false);
         isBox_[celli] = isBox(celli, bounds);
-        anyBox_ = anyBox_ || isBox_[celli];
         for (direction d = 0; d < 3; ++d)
         {
             if (mesh_.geometricD()[d] < 0)
@@ -216,10 +229,10 @@ Foam::label Foam::meshCells::findBox(const point& position) const
     find(position, 0);
     for (const label celli : found_)
     {
-        const void_fraction::Box& box = boxes_[celli];
+        const void_fraction::Box& box = inner_[std::size_t(celli)];
         if
         (
-            isBox_[celli]
+            box.low.x < box.high.x
          && within(box.low.x, position.x(), box.high.x)
          && within(box.low.y, position.y(), box.high.y)
          && within(box.low.z, position.z(), box.high.z)
@@ -234,7 +247,7 @@ Foam::label Foam::meshCells::findBox(const point& position) const
 
 Foam::label Foam::meshCells::findCell(const point& position) const
 {
-    const label box = anyBox_ ? findBox(position) : -1;
+    const label box = findBox(position);
     return box >= 0 ? box : search_.findCell(position, -1, true);
 }
 
@@ -264,8 +277,8 @@ inline bool Foam::meshCells::isWithinBox(const label celli, const point& centre,
     {
         return at - low >= reach(radius) && high - at >= reach(radius);
     };
-    const void_fraction::Box& box = boxes_[celli];
-    return isBox_[celli]
+    const void_fraction::Box& box = inner_[std::size_t(celli)];
+    return box.low.x < box.high.x
      && within(box.low.x, centre.x(), box.high.x)
      && within(box.low.y, centre.y(), box.high.y)
      && within(box.low.z, centre.z(), box.high.z);

@@ -75,6 +75,15 @@ std::string withValues(std::string text, const std::map<std::string, std::string
 }
 
 
+//- The number that the whole text is
+std::optional<double> numberOf(const std::string& text)
+{
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return text.size() && end == text.c_str() + text.size() ? std::optional<double>(value) : std::nullopt;
+}
+
+
 //- Whether the name stands at a place of the word as a whole one. A single letter may follow a $ without braces.
 bool standsAt(const std::string& word, const std::size_t at, const std::string& name)
 {
@@ -183,10 +192,75 @@ std::optional<double> Foam::particleScript::number(const std::string& command) c
     {
         return {};
     }
-    const std::string text(withValues(found[0], variables_));
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    return end == text.c_str() + text.size() ? std::optional<double>(value) : std::nullopt;
+    return numberOf(withValues(found[0], variables_));
+}
+
+
+std::vector<std::string> Foam::particleScript::argumentsOf(const std::string& command, const std::string& first) const
+{
+    Words arguments;
+    for (const Words& words : commands_)
+    {
+        for (std::size_t k = 0; k + 1 < words.size(); ++k)
+        {
+            if (words[k] != command || !(first.empty() || words[k + 1] == first))
+            {
+                continue;
+            }
+            if (arguments.size())
+            {
+                return {};
+            }
+            for (std::size_t n = k + 1; n < words.size(); ++n)
+            {
+                arguments.push_back(withValues(words[n], variables_));
+            }
+        }
+    }
+    return arguments;
+}
+
+
+std::optional<cohesion::coupling::DemEngine::SimulationBox> Foam::particleScript::box() const
+{
+    // With these the text does not give the order of commands, the unit of the region, or the box at the end.
+    for (const char* const other : {"jump", "python", "shell", "lattice", "change_box", "read_data", "displace_box"})
+    {
+        if (has(other))
+        {
+            return {};
+        }
+    }
+    const Words create(argumentsOf("create_box"));
+    const Words region(create.size() > 1 ? argumentsOf("region", create[1]) : Words());
+    Words ends(argumentsOf("boundary"));
+    if (ends.empty() && !has("boundary"))
+    {
+        ends = {"p", "p", "p"};
+    }
+    if (region.size() < 8 || region[1] != "block" || ends.size() < 3)
+    {
+        return {};
+    }
+    cohesion::coupling::DemEngine::SimulationBox box;
+    for (int d = 0; d < 3; ++d)
+    {
+        const auto low = numberOf(region[2 + 2*d]);
+        const auto high = numberOf(region[3 + 2*d]);
+        if (!low || !high)
+        {
+            return {};
+        }
+        box.low[d] = *low;
+        box.high[d] = *high;
+        box.periodic[d] = ends[d] == "p" || ends[d] == "pp";
+        box.fixed[d] = ends[d] == "f" || ends[d] == "ff";
+        if (!box.periodic[d] && !box.fixed[d])
+        {
+            return {};
+        }
+    }
+    return box;
 }
 
 
