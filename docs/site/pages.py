@@ -16,6 +16,8 @@ import message_index
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 FENCE = re.compile(r"(^```.*?^```\s*?$|`[^`\n]+`)", re.M | re.S)
 MATHJAX = Path("/usr/share/javascript/mathjax")
+#: Rows of expected figures that the gallery prints.
+LONGEST_TABLE = 10
 SECTIONS = (
     ("Getting started", ("docs/getting-started/first-dem-script.md", "docs/getting-started/first-dem-script-liggghts.md",
                          "docs/getting-started/first-coupled-bed.md", "docs/getting-started/*.md",
@@ -146,19 +148,23 @@ def expected_of(folder):
         return ""
     with file.open() as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    if len(rows) > LONGEST_TABLE:
+        return f"{len(rows)} expected figures are in `{folder.name}/expected.csv`.\n"
     table = ["| case | figure | from | to |", "|---|---|---|---|"]
     table += [f"| {row['case']} | {row['quantity'].replace('_', ' ')} | {row['low']} | {row['high']} |" for row in rows]
-    return "Figures to expect, which the programs and tests check:\n\n" + "\n".join(table) + "\n"
+    return "Expected figures:\n\n" + "\n".join(table) + "\n"
 
 
 def gallery(site):
-    text = "# Examples\n\nMade from the examples' own pages and tables of expected figures.\n"
+    text = "# Gallery\n\nThe programs and tests of the examples check the expected figures.\n"
     for page in site.pages:
         if page.parts[0] != "examples" or page.name != "README.md" or len(page.parts) != 3:
             continue
         whole = joined((site.source / page).read_text())
         picture = re.search(r"!\[[^\]]*\]\([^)]*\)", whole)
-        said = [first_paragraph(whole), picture[0] if picture else "", f"```\n{command_of(whole)}```", time_of(whole)]
+        time = time_of(whole)
+        said = [first_paragraph(whole), picture[0] if picture else "", f"```\n{command_of(whole)}```",
+                "" if time.rstrip(".") in command_of(whole) else time]
         text += f"\n## {site.title[page]}\n\n[{page.parent}]({page})\n\n"
         text += site.text_of(page, "\n\n".join(part for part in said if part), Path("gallery.md")) + "\n\n"
         text += expected_of(site.source / page.parent)
