@@ -19,12 +19,12 @@ MATHJAX = Path("/usr/share/javascript/mathjax")
 #: Rows of expected figures that the gallery prints.
 LONGEST_TABLE = 10
 SECTIONS = (
-    ("Getting started", ("docs/getting-started/first-dem-script.md", "docs/getting-started/first-dem-script-liggghts.md",
+    ("Getting started", ("docs/installing.md", "docs/what-to-choose.md", "docs/getting-started/first-dem-script.md",
+                         "docs/getting-started/first-dem-script-liggghts.md",
                          "docs/getting-started/first-coupled-bed.md", "docs/getting-started/*.md",
                          "docs/terminology.md")),
     ("How-to", ("docs/how-to/README.md", "docs/how-to/*.md")),
-    ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
-             "docs/costs.md")),
+    ("Use", ("docs/building.md", "docs/scope.md", "docs/clusters.md", "docs/costs.md")),
     ("Examples", ("gallery.md", "examples/README.md", "examples/*/README.md", "examples/*/studies.md")),
     ("Indexes", ("styles.md", "entries.md", "warnings.md")),
     ("LAMMPS", ("lammps-package/README.md", "docs/lammps-package/*.md")),
