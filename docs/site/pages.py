@@ -2,8 +2,8 @@
 """pages.py SOURCE_DIR FOLDER: puts the Markdown pages of the repository into FOLDER as Sphinx takes them, with a gallery
 of the examples and indexes of styles, entries and warnings that are made from the pages themselves.
 
-A link to a folder becomes one to its README, a link to a file that is no page becomes its name: the site has no copy of
-the sources. Links to pages stay, and Sphinx fails where one is dead."""
+A link to a folder becomes one to its README, a link to a table (.csv) of docs/ a download, a link to another file its
+name: the site has no copy of the sources. Links to pages stay, and Sphinx fails where one is dead."""
 import csv
 import os
 import re
@@ -74,7 +74,10 @@ class Site:
         if picture or file in self.pages:
             where = os.path.relpath(place(file), here)
             return f"{picture}[{text}]({where}{hash_}{anchor})"
-        return text if "`" in text else f"`{text}`"
+        if "`" in text:
+            return text
+        table = file.suffix == ".csv" and file.parts[0] == "docs"
+        return f"{{download}}`{text} <{os.path.relpath(file, here)}>`" if table else f"`{text}`"
 
     def text_of(self, page, text, new_place=None):
         """With the links changed, code left alone."""
@@ -87,10 +90,10 @@ class Site:
         for page in self.pages:
             text = self.text_of(page, joined((self.source / page).read_text()))
             self.write(place(page), text + (self.contents() if place(page) == Path("index.md") else ""))
-        for picture in self.source.glob("docs/**/*.png"):
-            target = self.folder / picture.relative_to(self.source)
+        for file in (*self.source.glob("docs/**/*.png"), *self.source.glob("docs/**/*.csv")):
+            target = self.folder / file.relative_to(self.source)
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(picture, target)
+            shutil.copy(file, target)
 
     def contents(self):
         """The table of contents, for the sidebar."""
