@@ -88,13 +88,13 @@ def plot(tables, file):
     for (name, rows), marker in zip(tables.items(), "os"):
         axes.loglog([row[3] for row in rows], [error(row) for row in rows], marker=marker, label=name)
         for row in rows:
-            axes.annotate(f"{row[0]:.3g} s", (row[3], error(row)), fontsize=7, rotation=40,
+            axes.annotate(f"{row[0]:.3g} s", (row[3], error(row)), fontsize=7, rotation=70,
                           textcoords="offset points", xytext=(2, 5))
-    axes.margins(x=0.1, y=0.12)
+    axes.margins(x=0.1, y=0.22)
     axes.axhline(FINEST, color="grey", linewidth=0.8, linestyle=":")
-    axes.text(0.98, FINEST * 0.9, "finest grade", color="grey", fontsize=7, ha="right", va="top",
+    axes.text(0.98, FINEST * 0.9, "resolution", color="grey", fontsize=7, ha="right", va="top",
               transform=axes.get_yaxis_transform())
-    axes.set_xlabel("run time per couple [s]")
+    axes.set_xlabel("run time per pair [s]")
     axes.set_ylabel("error of the escape velocity")
     axes.legend(title="scheme, at the time step")
     save(figure, file)

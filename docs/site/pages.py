@@ -2,8 +2,8 @@
 """pages.py SOURCE_DIR FOLDER: puts the Markdown pages of the repository into FOLDER as Sphinx takes them, with a gallery
 of the examples and indexes of styles, entries and warnings that are made from the pages themselves.
 
-A link to a folder becomes one to its README, a link to a file that is no page becomes its name: the site has no copy of
-the sources. Links to pages stay, and Sphinx fails where one is dead."""
+A link to a folder becomes one to its README, a link to a table (.csv) of docs/ a download, a link to another file its
+name: the site has no copy of the sources. Links to pages stay, and Sphinx fails where one is dead."""
 import csv
 import os
 import re
@@ -16,13 +16,15 @@ import message_index
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 FENCE = re.compile(r"(^```.*?^```\s*?$|`[^`\n]+`)", re.M | re.S)
 MATHJAX = Path("/usr/share/javascript/mathjax")
+#: Rows of expected figures that the gallery prints.
+LONGEST_TABLE = 10
 SECTIONS = (
-    ("Getting started", ("docs/getting-started/first-dem-script.md", "docs/getting-started/first-dem-script-liggghts.md",
+    ("Getting started", ("docs/installing.md", "docs/what-to-choose.md", "docs/getting-started/first-dem-script.md",
+                         "docs/getting-started/first-dem-script-liggghts.md",
                          "docs/getting-started/first-coupled-bed.md", "docs/getting-started/*.md",
                          "docs/terminology.md")),
     ("How-to", ("docs/how-to/README.md", "docs/how-to/*.md")),
-    ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
-             "docs/costs.md")),
+    ("Use", ("docs/building.md", "docs/scope.md", "docs/clusters.md", "docs/costs.md")),
     ("Examples", ("gallery.md", "examples/README.md", "examples/*/README.md", "examples/*/studies.md")),
     ("Indexes", ("styles.md", "entries.md", "warnings.md")),
     ("LAMMPS", ("lammps-package/README.md", "docs/lammps-package/*.md")),
@@ -72,7 +74,10 @@ class Site:
         if picture or file in self.pages:
             where = os.path.relpath(place(file), here)
             return f"{picture}[{text}]({where}{hash_}{anchor})"
-        return text if "`" in text else f"`{text}`"
+        if "`" in text:
+            return text
+        table = file.suffix == ".csv" and file.parts[0] == "docs"
+        return f"{{download}}`{text} <{os.path.relpath(file, here)}>`" if table else f"`{text}`"
 
     def text_of(self, page, text, new_place=None):
         """With the links changed, code left alone."""
@@ -85,10 +90,10 @@ class Site:
         for page in self.pages:
             text = self.text_of(page, joined((self.source / page).read_text()))
             self.write(place(page), text + (self.contents() if place(page) == Path("index.md") else ""))
-        for picture in self.source.glob("docs/**/*.png"):
-            target = self.folder / picture.relative_to(self.source)
+        for file in (*self.source.glob("docs/**/*.png"), *self.source.glob("docs/**/*.csv")):
+            target = self.folder / file.relative_to(self.source)
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(picture, target)
+            shutil.copy(file, target)
 
     def contents(self):
         """The table of contents, for the sidebar."""
@@ -146,19 +151,23 @@ def expected_of(folder):
         return ""
     with file.open() as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    if len(rows) > LONGEST_TABLE:
+        return f"{len(rows)} expected figures are in `{folder.name}/expected.csv`.\n"
     table = ["| case | figure | from | to |", "|---|---|---|---|"]
     table += [f"| {row['case']} | {row['quantity'].replace('_', ' ')} | {row['low']} | {row['high']} |" for row in rows]
-    return "Figures to expect, which the programs and tests check:\n\n" + "\n".join(table) + "\n"
+    return "Expected figures:\n\n" + "\n".join(table) + "\n"
 
 
 def gallery(site):
-    text = "# Examples\n\nMade from the examples' own pages and tables of expected figures.\n"
+    text = "# Gallery\n\nThe programs and tests of the examples check the expected figures.\n"
     for page in site.pages:
         if page.parts[0] != "examples" or page.name != "README.md" or len(page.parts) != 3:
             continue
         whole = joined((site.source / page).read_text())
         picture = re.search(r"!\[[^\]]*\]\([^)]*\)", whole)
-        said = [first_paragraph(whole), picture[0] if picture else "", f"```\n{command_of(whole)}```", time_of(whole)]
+        time = time_of(whole)
+        said = [first_paragraph(whole), picture[0] if picture else "", f"```\n{command_of(whole)}```",
+                "" if time.rstrip(".") in command_of(whole) else time]
         text += f"\n## {site.title[page]}\n\n[{page.parent}]({page})\n\n"
         text += site.text_of(page, "\n\n".join(part for part in said if part), Path("gallery.md")) + "\n\n"
         text += expected_of(site.source / page.parent)
