@@ -140,7 +140,7 @@ class ExactContacts {
   }
   /// The velocity of a wall along the normal, and by how much it has changed the rate of the
   /// distance since the step before, [length/time].
-  struct WallMotion {
+  struct WallVelocity {
     double velocity, change;
     void store(double* history) const {
       history[WALL_VELOCITY] = velocity;
@@ -150,8 +150,8 @@ class ExactContacts {
   /// A wall has a constant velocity in each step. A change acts at once, as where a servo sets the
   /// velocity anew: only what the last two changes have in common is an acceleration that goes on.
   /// Moves the rest into the motion before, in `state`. `last`: what is stored; null: nothing.
-  static WallMotion pass_wall(const ContactModels::SurfacesCloseData& d, const double* normal,
-                              const double* last, ContactState& state) {
+  static WallVelocity pass_wall(const ContactModels::SurfacesCloseData& d, const double* normal,
+                                const double* last, ContactState& state) {
     const double velocity = dot(cohesion::vector(d.v_j), cohesion::vector(normal));
     if (!last) return {velocity, 0.0};
     const double change = last[WALL_VELOCITY] - velocity, before = last[WALL_CHANGE];
@@ -216,7 +216,7 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   const double time_apart = k->solver->step() - state.contact_time;
   cohesion::contact_solver::PersistentStep step;
   const StaggeredMotion at = motion(contact, contact.r, contact.en);
-  WallMotion wall;
+  WallVelocity wall;
   if (contact.is_wall) wall = pass_wall(contact, contact.en, history, state);
   const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(

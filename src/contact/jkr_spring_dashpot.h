@@ -137,7 +137,7 @@ class JkrSpringDashpot {
     work_of_adhesion_ = work_of_adhesion;
     neck_ = std::sqrt(2.0 * pi * work_of_adhesion / modulus_);
     scale_ = std::cbrt(neck_ * radius_);
-    inverse_cube_ = radius_ / std::pow(scale_, 4.0);
+    inverse_cube_ = neck_ > 0.0 ? radius_ / std::pow(scale_, 4.0) : 0.0;
     lowest_ = -tearing_gap(modulus_, radius_, work_of_adhesion);
   }
 

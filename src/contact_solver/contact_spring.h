@@ -58,7 +58,7 @@ class ContactSpring {
 
   /// The overlap of a persistent contact, and how much larger it was at the last time level,
   /// [length].
-  struct Overlaps {
+  struct OverlapChange {
     double now, decrease;
   };
   /// The impulse of a persistent contact whose normal motion does `normal`, that was persistent in
@@ -67,7 +67,8 @@ class ContactSpring {
   [[gnu::always_inline]] Vector3 persistent_impulse(const contact::Plane& plane,
                                                     const Vector3& rate,
                                                     const PersistentStep& normal,
-                                                    const Overlaps& overlap, double* values) const {
+                                                    const OverlapChange& overlap,
+                                                    double* values) const {
     DiscreteSpring::State state{vector(values)};
     Vector3 impulse;
     if (linear || !stiffens_) {

@@ -125,16 +125,16 @@ class ExactContact {
     if constexpr (SIZE >= ContactHistory::with_friction) {
       auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
       Vector3 across = v - (inverse * rate) * s;
-      const ContactSpring::Overlaps overlaps{bodies_.distance() - motion.distance,
-                                             step_ * motion.rate};
+      const ContactSpring::OverlapChange overlap{bodies_.distance() - motion.distance,
+                                                 step_ * motion.rate};
       step.friction = sliding_.persistent_impulse<linear>(
           touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), does,
-          overlaps, values + ContactHistory::normal_only);
+          overlap, values + ContactHistory::normal_only);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<linear>(
-                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does, overlaps,
+                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does, overlap,
                 values + ContactHistory::with_friction),
             step.action);
     }
