@@ -229,7 +229,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   return true;
 }
 
-/// One that is still outside now is resolved from here on.
+/// A pair that does not overlap yet is resolved from this step on and needs no warning.
 void ExactContacts::check_sight(const ContactSolver& solver,
                                 const ContactModels::SurfacesCloseData& d,
                                 const StaggeredMotion& now) const {

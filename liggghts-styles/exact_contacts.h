@@ -147,9 +147,9 @@ class ExactContacts {
       history[WALL_CHANGE] = change;
     }
   };
-  /// A wall has a constant velocity in each step. A change acts at once, as where a servo sets the
-  /// velocity anew: only what the last two changes have in common is an acceleration that goes on.
-  /// Moves the rest into the motion before, in `state`. `last`: what is stored; null: nothing.
+  /// The velocity of a wall is constant in a step. Its change, as by a servo, acts as an impulse,
+  /// but the part that the last two changes have in common counts as an acceleration. Adds the
+  /// impulse to the last rate in `state`. `last`: the stored history; null: none.
   static WallVelocity pass_wall(const ContactModels::SurfacesCloseData& d, const double* normal,
                                 const double* last, ContactState& state) {
     const double velocity = dot(cohesion::vector(d.v_j), cohesion::vector(normal));

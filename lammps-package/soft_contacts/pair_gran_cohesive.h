@@ -38,7 +38,7 @@ struct StaggeredParticles {
   }
 };
 
-/// Two of them.
+/// Motion of the particles i and j, read from the arrays where it is used.
 struct StaggeredPair {
   const StaggeredParticles& all;
   int i, j;

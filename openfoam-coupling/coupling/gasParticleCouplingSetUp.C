@@ -55,7 +55,7 @@ void requireOwnName(const Foam::dictionary& coeffs, const Foam::word& variable)
 }
 
 
-//- What an engine says of a restart file named none does not tell where the name is from.
+//- Explains the file name 'none' in an engine's error: it is the value of the variable restart.
 std::string withHint(const std::string& text)
 {
     const bool ofNewRun = text.find("restart file none") != std::string::npos;

@@ -9,8 +9,8 @@
 
 namespace cohesion::advice {
 
-/// What has become worse from one judgement of a run to the next, as the end of a sentence; empty:
-/// nothing.
+/// Changes since the last check that tighten the time-step limit, as the end of a sentence; empty
+/// without any.
 inline std::string worse_since(const RunConditions& before, const RunConditions& now) {
   std::ostringstream changes;
   changes.precision(3);

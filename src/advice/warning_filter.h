@@ -32,7 +32,7 @@ class WarningFilter {
   ///
   /// Within a run, where step and particles may change all the time and engines print tables of
   /// their own, the table comes with contacts alone that there were none of, and a warning once of
-  /// each contact and subject. Why a run must not go on is followed by what has become worse.
+  /// each contact and subject. A message that stops the run ends with worse_since().
   Report only_new(Report report, const std::vector<AdvisedContact>& contacts,
                   const RunConditions& now) {
     if (now.within_run && !report.stop.empty()) report.stop += worse_since(judged_, now);

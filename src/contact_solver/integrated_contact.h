@@ -69,7 +69,7 @@ class IntegratedContact {
   double advance(Overlap& s, double time, double outward, NormalRecord& record) const {
     const double drive = pull_ - outward;
     const int steps = std::max(1, static_cast<int>(std::ceil(substeps * time / step_ - 1e-9)));
-    // Where a pair has just touched, rounding may have it beyond the end of contact.
+    // Rounding may place a pair that has just touched below the lowest overlap.
     s.x = std::max(s.x, lowest_);
     ContactPath path{s, law_.at(s.x), 0.0};
     for (int k = 0; k < steps; k++) {

@@ -13,7 +13,7 @@ struct Body {
   double radius;        ///< [length]
   double inverse_mass;  ///< [1/mass]; 0: its velocity is prescribed
 
-  /// The bits that differ: none is quicker to see than the same numbers.
+  /// Bits that differ; 0 if the bodies are equal. Faster than comparisons of numbers.
   std::uint64_t difference(const Body& other) const {
     std::uint64_t mine[2], others[2];
     std::memcpy(mine, this, sizeof mine);

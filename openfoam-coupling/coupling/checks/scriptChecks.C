@@ -44,7 +44,7 @@ std::string foreignUnits(const particleScript& script)
 bool hasContacts(const particleScript& script)
 {
     const auto styles = script.wordsBehind("pair_style");
-    // `pair_style none` says that none are meant.
+    // `pair_style none` is deliberate.
     return styles.size() || !script.all();
 }
 

@@ -75,7 +75,7 @@ std::string withValues(std::string text, const std::map<std::string, std::string
 }
 
 
-//- The number that the whole text is
+//- The number, if the whole text is one
 std::optional<double> numberOf(const std::string& text)
 {
     char* end = nullptr;
@@ -223,7 +223,7 @@ std::vector<std::string> Foam::particleScript::argumentsOf(const std::string& co
 
 std::optional<cohesion::coupling::DemEngine::SimulationBox> Foam::particleScript::box() const
 {
-    // With these the text does not give the order of commands, the unit of the region, or the box at the end.
+    // With these commands the text does not determine order, length unit of the region, or final box.
     for (const char* const other : {"jump", "python", "shell", "lattice", "change_box", "read_data", "displace_box"})
     {
         if (has(other))
