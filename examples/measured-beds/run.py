@@ -21,6 +21,7 @@ CASE = HERE / "case"
 MEASURED = HERE / "measured.csv"
 
 GAS = ("0.6", "0.9")  # superficial velocities [m/s] with a measurement
+SHORTEST = 2  # s
 READERS = (analyse, case_entries, foam_results)  # what the figures depend on besides the run
 
 
@@ -31,11 +32,14 @@ def arguments():
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2], metavar="N",
                         help="of the places from which the spheres are poured (%(default)s)")
     parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
-                        help="to simulate, 2 or more (that of constant/bed, which is what expected.csv is of)")
+                        help=f"to simulate, {SHORTEST} or more (that of constant/bed, which is what expected.csv is of)")
     parser.add_argument("--overwrite", action="store_true", help="replace beds of other settings")
     program.folder_words(parser, "BUILD/measured-beds", "cases and results")
     program.together_words(parser)
-    return parser.parse_args()
+    args = parser.parse_args()
+    if args.time is not None and args.time < SHORTEST:
+        parser.error(f"--time {args.time:g}: averages begin at 1 s, and their first second ends at {SHORTEST} s")
+    return args
 
 
 class MeasuredBed(CaseJob):

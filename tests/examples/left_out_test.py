@@ -37,6 +37,7 @@ class LeftOut(unittest.TestCase):
         self.stops("fluidised-bed/run.py", LAMMPS, files=coupling)
         self.stops("fluidised-bed/run.py", LIGGGHTS, "--engine", "liggghts", files=coupling)
         self.stops("bubbling-hard-sphere/run.py", LAMMPS, files=coupling)
+        self.stops("measured-beds/run.py", LAMMPS, files=coupling)
         self.stops("spouted-bed/run.py", LIGGGHTS, files=coupling)
 
     def test_engine_alone(self):
