@@ -37,9 +37,9 @@ FINER = 8
 REYNOLDS = 0.1
 PAGE = """# Errors of the coupling by drag, density and cells
 
-Beds of at least 100 times the mass of their gas (R) are correct, or correct after the first steps, at any stiffness of
-the drag. Light or dilute particles need `response free`, or gas steps shorter than m/b; the solver warns, except in
-some rows (column *warned*). Do not use form A for light free spheres at a Courant number of 5.
+Beds of at least 100 times the mass of their gas (R) are correct at any stiffness of the drag. Some are correct only
+after the first steps. Light or dilute particles need `response free`, or gas steps shorter than m/b; the solver warns,
+except in some rows (column *warned*). Do not use form A for light free spheres at a Courant number of 5.
 [Stability](../openfoam-coupling/stability.md) lists and derives the limits.
 
 ```

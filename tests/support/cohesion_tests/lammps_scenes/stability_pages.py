@@ -26,7 +26,7 @@ TERMS = """
 ## Points and outcomes
 
 A corner point sets one or a few parameters of a base point to an extreme value. A random point draws all parameters.
-Each point has two cases: two spheres collide, and a sphere strikes two spheres in contact; at walls a sphere hits a
+Each point has two cases: two spheres collide, and a sphere strikes two spheres in contact. At walls a sphere hits a
 wall, and a sphere flies into an edge. The larger sphere has a diameter of 1 mm and a density of 2650 kg/m^3.
 
 The reference of soft contacts is *exact* at a sixteenth of the step, that of hard spheres (*rest off*) a program
@@ -42,7 +42,7 @@ contact it is that of the positions over s/w, with the contact frequency w.
 | not judged | rounding decides, references disagree, or the time levels are too coarse |
 
 The tolerance is 0.1 for *sampled* and 1e-9, or 100 times the effect of rounding, for hard spheres. For *exact* it is
-1e-6 for one contact without friction, and otherwise (w dt)^2, at most 0.1, plus the
+1e-6 for one contact without friction. Otherwise it is (w dt)^2, at most 0.1, plus the
 [errors](../theory/exact_contacts.md) of rotation and of friction with several contacts. For Hertz and JKR it is of
 second order in all cases; w is that of an elastic impact at s.
 """.splitlines()
@@ -50,9 +50,9 @@ STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""
 ## {STEPS_TITLE}
 
-[stability.csv](stability.csv) has, for each law and range of t_c/dt, correct over judged cases, incorrect cases without
-a warning for their contact, and stopped over all points. Points of Hertz and JKR have 3 to 40 steps per contact; those
-above 20 are counted in the results only. A [picture](../what-to-choose.md) shows the shares.
+[stability.csv](stability.csv) has rows for each law and range of t_c/dt. They list correct over judged cases, incorrect
+cases without a warning for their contact, and stopped over all points. Points of Hertz and JKR have 3 to 40 steps per
+contact; those above 20 are counted in the results only. A [picture](../what-to-choose.md) shows the shares.
 """
 
 

@@ -23,10 +23,16 @@ benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS --table FILE
 benchmarks/liggghts-styles/extremes-campaign.py --remake FILE
 ```
 
-The cases are a head-on *pair* of spheres, a sphere and a *wall* (compared with the closed form; *hertz* with a
-sixteenth of the step), and *three spheres*, of which one strikes two in contact (compared at two times with a sixteenth
-of the step; one must agree). A case is correct if the same particles stick and speeds agree within 0.1 of the largest
-speed. Points that are not set up would overlap by half a radius; without a reference the finer run warned of rounding.
+There are three cases. The reference of the first two is the closed form, for *hertz* a run with a sixteenth of the
+step:
+
+- *pair*: two spheres meet head-on
+- *wall*: a sphere meets a wall
+- *three spheres*: one strikes two in contact; at one of two times the run must agree with one of a sixteenth of the
+  step
+
+A case is correct if the same particles stick and speeds agree within 0.1 of the largest speed. Points that are not set
+up would overlap by half a radius. Without a reference the finer run warned of rounding.
 
 ## Outcomes
 
@@ -39,11 +45,12 @@ POINTS = """
 
 {base}
 """
-DEPTH = ("*depth* is the speed that the well adds over the impact speed, *width* is relative to the flight in a contact "
-         "time.")
+BASE = ("A corner point sets one or a few parameters of the base point to an extreme value. "
+        "*depth* is the speed that the well adds over the impact speed, *width* is relative to the flight in a contact "
+        "time. The base point has:")
 INCORRECT = """
-Corner points with an incorrect case, and random points with a case that is incorrect without a warning, crashes, hangs
-or has no run as its reference:
+These are corner points with an incorrect case, and random points with one that is incorrect without a warning, crashes,
+hangs or has no reference:
 """
 
 
@@ -118,10 +125,8 @@ def of_bases():
     """Values of the base points of all laws, and those of each."""
     values = {law: name_of(own).split(", ") for law, own in ALL.items()}
     common = [value for value in next(iter(values.values())) if all(value in own for own in values.values())]
-    rest = "; ".join(f"*{law}* " + ", ".join(value for value in own if value not in common)
-                     for law, own in values.items())
-    return ("A corner point sets one or a few parameters of the base point to an extreme value. "
-            f"The base point has {', '.join(common)}; {rest}. {DEPTH}")
+    rest = [f"- *{law}*: " + ", ".join(value for value in own if value not in common) for law, own in values.items()]
+    return "\n".join([paragraph(BASE), "", "- all models: " + ", ".join(common), *rest])
 
 
 def is_incorrect(point):
@@ -142,7 +147,7 @@ def page(counts, points, name):
     files = paragraph(f"[Outcomes]({name}.csv) has all counts. [Points]({name}_points.csv) has the corner points that "
                       "are not correct, with errors and warnings.")
     return (PAGE.format(summary=paragraph(SUBJECT + of_silent(counts)), numbers=of_numbers(counts))
-            + POINTS.format(base=paragraph(of_bases())) + incorrect + f"\n{files}\n")
+            + POINTS.format(base=of_bases()) + incorrect + f"\n{files}\n")
 
 
 def write_table(file, columns, rows):
