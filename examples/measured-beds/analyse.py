@@ -32,15 +32,29 @@ class Bed:
         self.case = Path(self.case)
         self.size = entries(self.case / "constant/bed")
         self.times = written_times(self.case)
-        if max(self.times) <= self.size["averageFrom"]:
-            raise EntryError(f"{self.case}: no time after averageFrom, {self.size['averageFrom']:g} s, is written: raise "
-                             "endTime in constant/bed")
+        start = self.size["averageFrom"]
+        ends = sorted(time for time in self.times if time > start)
+        if not ends:
+            raise EntryError(f"{self.case}: no time after averageFrom, {start:g} s, is written: raise endTime in "
+                             "constant/bed")
+        self.span = start, ends[-1]
+        self.blocks = list(zip([start, *ends], ends))  # begin and end of the times between those written
 
-    def void_fraction(self, height):
-        """x and time means in the middles of the cells across the bed, at a height, averaged over its thickness."""
+    def mean_void_fraction(self, span):
+        """Of a span of time, between times written, over the thickness of the bed: (up, across). What is written are
+        means from averageFrom on."""
         across, deep, up = (int(self.size[name]) for name in ("across", "deep", "up"))
-        values = read_cells(self.times[max(self.times)] / "voidFractionMean", across * deep * up)
-        layers = values.reshape(up, deep, across).mean(axis=1)
+        sums = []
+        for time in span:
+            length = time - self.span[0]
+            values = read_cells(self.times[time] / "voidFractionMean", across * deep * up) if length > 0 else np.zeros(1)
+            sums.append(length * values)
+        return ((sums[1] - sums[0]) / (span[1] - span[0])).reshape(up, deep, across).mean(axis=1)
+
+    def void_fraction(self, height, span):
+        """x and means in the middles of the cells across the bed, at a height."""
+        layers = self.mean_void_fraction(span)
+        up, across = layers.shape
         # Between the layers of cells above and below the height
         layer = height / self.size["height"] * up - 0.5
         low = int(layer)
@@ -48,27 +62,33 @@ class Bed:
         x = (np.arange(across) + 0.5) / across * self.size["width"]
         return x, (1 - above) * layers[low] + above * layers[low + 1]
 
-    def velocity(self, height):
+    def velocity(self, height, span):
         """x and upward velocity of the spheres in the layer of profiles.dat around a height."""
-        begin = self.size["averageFrom"] / particle_step(self.case)
-        return mean_velocity(chunk_rows(self.case / "profiles.dat", begin), height)
+        steps = [time / particle_step(self.case) for time in span]
+        return mean_velocity(chunk_rows(self.case / "profiles.dat", *steps), height)
 
-    def profile(self, quantity, height):
-        """x and values of a quantity of measured() at a height [mm]."""
+    def profile(self, quantity, height, span=None):
+        """x and mean values over a span of time, or all, of a quantity of measured() at a height [mm]."""
         of = {"void_fraction": self.void_fraction, "velocity": self.velocity}
-        return of[quantity](1e-3 * float(height))
+        return of[quantity](1e-3 * float(height), span or self.span)
+
+    def error(self, quantity, height):
+        """Standard error of the mean of a profile, from its means over the blocks of time; nan with one block."""
+        means = [self.profile(quantity, height, block)[1].mean() for block in self.blocks]
+        return float(np.std(means, ddof=1) / np.sqrt(len(means))) if len(means) > 1 else float("nan")
 
 
-def chunk_rows(file, begin):
-    """Rows chunk, x, z, spheres, velocity of all means that fix ave/chunk wrote over times after the step `begin`."""
-    rows, after = [], False
+def chunk_rows(file, begin, end):
+    """Rows chunk, x, z, spheres, velocity of the means that fix ave/chunk wrote over times between the steps `begin` and
+    `end`."""
+    rows, inside = [], False
     for line in file.read_text().splitlines():
         words = line.split()
         if line.startswith("#"):
             continue
         if len(words) == 3:
-            after = float(words[0]) > begin + 0.5
-        elif after:
+            inside = begin + 0.5 < float(words[0]) < end + 0.5
+        elif inside:
             rows.append(words)
     return np.array(rows, dtype=float)
 
@@ -82,7 +102,8 @@ def mean_velocity(rows, height):
 
 
 def figures(case, table):
-    """Of one bed, differences from each profile that the `table` has for its gas velocity."""
+    """Of one bed, differences from each profile that the `table` has for its gas velocity: root of the mean square,
+    mean, and the standard error of that mean."""
     bed, found = Bed(case), {}
     for (gas, quantity, height), (x, values) in measured(table).items():
         if float(gas) == bed.size["gasVelocity"]:
@@ -90,4 +111,5 @@ def figures(case, table):
             name = f"{quantity}_{height}"
             found[f"{name}_rms"] = float(np.sqrt((difference**2).mean()))
             found[f"{name}_mean"] = float(difference.mean())
+            found[f"{name}_error"] = bed.error(quantity, height)
     return found

@@ -29,7 +29,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--gas", nargs="+", choices=GAS, default=list(GAS), metavar="U",
                         help="superficial velocity of the gas [m/s] (%(default)s)")
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2], metavar="N",
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1], metavar="N",
                         help="of the places from which the spheres are poured (%(default)s)")
     parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
                         help=f"to simulate, {SHORTEST} or more (that of constant/bed, which is what expected.csv is of)")

@@ -65,14 +65,21 @@ class SmallBed(unittest.TestCase):
     def test_profile_between_layers(self):
         """In the middle of a layer of cells it is that of the cells; on the face between two it is their mean."""
         void = read_cells(self.bed.times[max(self.bed.times)] / "voidFractionMean", 240).reshape(24, 2, 5)
-        _, middle = self.bed.void_fraction(2.5 * 2.5e-3)
+        _, middle = self.bed.void_fraction(2.5 * 2.5e-3, self.bed.span)
         np.testing.assert_allclose(middle, void[2].mean(axis=0), rtol=1e-12)
-        _, face = self.bed.void_fraction(3 * 2.5e-3)
+        _, face = self.bed.void_fraction(3 * 2.5e-3, self.bed.span)
         np.testing.assert_allclose(face, void[2:4].mean(axis=(0, 1)), rtol=1e-12)
+
+    def test_blocks_of_time_make_the_whole(self):
+        """Two blocks of equal length: their mean is the whole, which is written to 17 digits."""
+        self.assertEqual(self.bed.blocks, [(0.02, 0.04), (0.04, 0.06)])
+        halves = [self.bed.mean_void_fraction(block) for block in self.bed.blocks]
+        self.assertGreater(abs(halves[0] - halves[1]).max(), 1e-6)
+        np.testing.assert_allclose(np.mean(halves, axis=0), self.bed.mean_void_fraction(self.bed.span), rtol=1e-13)
 
     def test_all_spheres_are_in_the_profiles(self):
         """Each row of profiles.dat is of all spheres, and the rows from averageFrom on are read."""
-        chunks = analyse.chunk_rows(self.bed.case / "profiles.dat", 1600)
+        chunks = analyse.chunk_rows(self.bed.case / "profiles.dat", 1600, 4800)
         self.assertAlmostEqual(chunks[:, 3].sum(), 2 * 1100, delta=2e-3)
 
     def test_figures_and_picture(self):
@@ -100,7 +107,7 @@ class Reading(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="cohesion-") as name:
             file = Path(name) / "profiles.dat"
             file.write_text(PROFILES)
-            rows = analyse.chunk_rows(file, 80)
+            rows = analyse.chunk_rows(file, 80, 240)
         for height, x, velocities in ((0.015, [0.001], [0.175]), (0.02, [0.001, 0.003], [0.1, 0.3])):
             found = analyse.mean_velocity(rows, height)
             np.testing.assert_allclose(found[0], x)
