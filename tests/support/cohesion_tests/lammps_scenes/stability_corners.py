@@ -17,8 +17,8 @@ SUBJECTS = {"pairs": "Contacts between spheres", "walls": "Contacts with walls"}
 LAWS = {law.name: law for law in stability_laws.LAWS}
 NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
 NEITHER = "marginal, incorrect or not judged"
-WRITTEN = ("[Stability]({back}#points-and-outcomes) defines points, cases and outcomes. `{program}` writes this page and "
-           "[{file}]({file}), which lists all corner points and the random points of this page.")
+WRITTEN = ("[Stability]({back}#points-and-outcomes) defines points, cases and outcomes. `{program}` writes this page "
+           "and [{file}]({file}), which lists all corner points and the random points of this page.")
 OTHER = f"""
 ## Points that are {NEITHER}
 

@@ -50,9 +50,9 @@ STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""
 ## {STEPS_TITLE}
 
-For each law and range of t_c/dt, up to 20, [stability.csv](stability.csv) lists correct over judged cases. It also lists
-incorrect cases without a warning for their contact, and stopped over all points. A [picture](../what-to-choose.md)
-shows the shares.
+For each law and range of t_c/dt, up to 20, [stability.csv](stability.csv) lists correct over judged cases. It also
+lists incorrect cases without a warning for their contact, and stopped over all points. A
+[picture](../what-to-choose.md) shows the shares.
 """
 
 
