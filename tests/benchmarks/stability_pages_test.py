@@ -70,9 +70,7 @@ class CornerPoints(unittest.TestCase):
         self.assertEqual(cells(page, OTHER), [[SAMPLED.name, "K 1e+07 N/m", "incorrect (3.0e-01)", "correct (1.0e-03)",
                                                "yes"]])
         self.assertNotIn("Points that stop", page)
-        for words in (f"Of {number} corner points with *sampled*, {number - 1} are correct and 1 is marginal,",
-                      "Incorrect corner points without a warning: 0."):
-            self.assertIn(words, page.replace("\n", " "))
+        self.assertIn("Incorrect corner points without a warning: 0.", page.replace("\n", " "))
         page = made({1: result("wrong", "right", "")})[1]
         self.assertIn("Incorrect corner points without a warning: 1.", page.replace("\n", " "))
 

@@ -14,19 +14,16 @@ from cohesion_tests.lammps_scenes.stability_points import NAMES, text
 CASES = ("first", "second")
 COLUMNS = ("law", "points", "varied", "number", "first case", "second case", "largest error", "reported")
 SUBJECTS = {"pairs": "Contacts between spheres", "walls": "Contacts with walls"}
-SCHEMES = {"exact": "with *exact*", "sampled": "with *sampled*", "hard": "of hard spheres"}
 LAWS = {law.name: law for law in stability_laws.LAWS}
 NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
 NEITHER = "marginal, incorrect or not judged"
-WRITTEN = ("[Stability]({back}) defines points, cases and outcomes, and counts the random points. `{program}` writes "
-           "this page and [{file}]({file}). The table lists all corner points, and the random points that stop with "
-           "an error or are listed below.")
+WRITTEN = ("[Stability]({back}#points-and-outcomes) defines points, cases and outcomes. `{program}` writes this page "
+           "and [{file}]({file}), which lists all corner points and the random points of this page.")
 OTHER = f"""
 ## Points that are {NEITHER}
 
-The error of a case is in brackets behind its outcome. The last column lists whether the run warned of its contact, or
-only of contacts that do not occur. Random points are listed if they are incorrect without a warning for their contact;
-of laws that are not *sampled*, also with one. The option `--law NAME --point K` prints all values of random point K.
+Cells have the outcome and the error of a case. Random points are listed where incorrect, those of *sampled* laws only
+without a warning for their contact.
 """
 WARNED = {"warned": "yes", "elsewhere": "of others", "silent": "no"}
 STOPPED = """
@@ -159,15 +156,6 @@ def summary(lines):
                   "correct with a warning"], *found)
 
 
-def of_scheme(scheme, number, right, stopped, others):
-    """A sentence on the corner points of a scheme."""
-    verb = lambda count, one, more: f"{count} {one if count == 1 else more}"
-    parts = [f"{verb(count, 'is', 'are')} {word}" for count, word in ((right, "correct"), (others, NEITHER)) if count]
-    parts += [f"{verb(stopped, 'stops', 'stop')} with an error"] if stopped else []
-    said = ", ".join(parts[:-1]) + " and " + parts[-1] if len(parts) > 1 else parts[0]
-    return f"Of {number} corner points {SCHEMES[scheme]}, {said}."
-
-
 def of_warnings(lines):
     """Whether runs of incorrect corner points warn of their contact."""
     wrong = [one for one in lines if one["points"] == "corner"
@@ -177,14 +165,10 @@ def of_warnings(lines):
 
 
 def conclusion(what, lines):
-    """What was compared, and a sentence for each scheme."""
-    counts = {}
-    for law, own in by_law(lines).items():
-        known = counts.get(LAWS[law].scheme, (0, 0, 0, 0))
-        counts[LAWS[law].scheme] = [a + b for a, b in zip(known, numbers(law, own))]
+    """What was compared, and the number of silent errors."""
     subject = (f"{SUBJECTS[what]} are run at extreme values of their parameters, and compared with finer or "
                "event-driven runs.")
-    return " ".join([subject, *(of_scheme(scheme, *own) for scheme, own in counts.items()), of_warnings(lines)])
+    return f"{subject} {of_warnings(lines)}"
 
 
 def paragraph(words):

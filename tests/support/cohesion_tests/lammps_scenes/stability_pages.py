@@ -50,9 +50,9 @@ STEPS_TITLE = "Random points by time step"
 BY_STEPS = f"""
 ## {STEPS_TITLE}
 
-[stability.csv](stability.csv) has rows for each law and range of t_c/dt. They list correct over judged cases, incorrect
-cases without a warning for their contact, and stopped over all points. Points of Hertz and JKR have 3 to 40 steps per
-contact; those above 20 are counted in the results only. A [picture](../what-to-choose.md) shows the shares.
+For each law and range of t_c/dt, up to 20, [stability.csv](stability.csv) lists correct over judged cases. It also
+lists incorrect cases without a warning for their contact, and stopped over all points. A
+[picture](../what-to-choose.md) shows the shares.
 """
 
 

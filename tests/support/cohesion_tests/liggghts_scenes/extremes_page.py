@@ -12,8 +12,8 @@ from cohesion_tests.liggghts_scenes.extremes_points import ALL, name_of
 WORDS = {"right": "correct", "wrong, warned": "incorrect, warned", SILENT: "incorrect, no warning",
          "wrong, other types warned": "incorrect, warned for other contacts", "refused": "stops"}
 COLUMNS = ("model", "points", "varied", *CASES, "reported")
-SUBJECT = ("The campaign runs the cohesion models with *hooke/stiffness* and *hertz* contacts at the ends of "
-           "their parameters and at random points between. ")
+SUBJECT = ("A campaign runs the models with *hooke/stiffness* and *hertz* contacts at extreme and at random values of "
+           "their parameters. ")
 PAGE = """# LIGGGHTS cohesion models at the ends of their parameters
 
 {summary}
@@ -23,13 +23,9 @@ benchmarks/liggghts-styles/extremes-campaign.py LIGGGHTS --table FILE
 benchmarks/liggghts-styles/extremes-campaign.py --remake FILE
 ```
 
-There are three cases. The reference of the first two is the closed form, for *hertz* a run with a sixteenth of the
-step:
-
-- *pair*: two spheres meet head-on
-- *wall*: a sphere meets a wall
-- *three spheres*: one strikes two in contact; at one of two times the run must agree with one of a sixteenth of the
-  step
+There are three cases. The reference of *pair* (two spheres meet head-on) and *wall* is the closed form, for *hertz* a
+run with a sixteenth of the step. In *three spheres* one strikes two in contact; at one of two times the run must agree
+with one of a sixteenth of the step.
 
 A case is correct if the same particles stick and speeds agree within 0.1 of the largest speed. Points that are not set
 up would overlap by half a radius. Without a reference the finer run warned of rounding.
@@ -47,7 +43,7 @@ POINTS = """
 """
 BASE = ("A corner point sets one or a few parameters of the base point to an extreme value. "
         "*depth* is the speed that the well adds over the impact speed, *width* is relative to the flight in a contact "
-        "time. The base point has:")
+        "time.")
 INCORRECT = """
 These are corner points with an incorrect case, and random points with one that is incorrect without a warning, crashes,
 hangs or has no reference:
@@ -125,8 +121,8 @@ def of_bases():
     """Values of the base points of all laws, and those of each."""
     values = {law: name_of(own).split(", ") for law, own in ALL.items()}
     common = [value for value in next(iter(values.values())) if all(value in own for own in values.values())]
-    rest = [f"- *{law}*: " + ", ".join(value for value in own if value not in common) for law, own in values.items()]
-    return "\n".join([paragraph(BASE), "", "- all models: " + ", ".join(common), *rest])
+    rest = [(law, ", ".join(value for value in own if value not in common)) for law, own in values.items()]
+    return f"{paragraph(BASE)}\n\n{table(('model', 'base point'), [('all', ', '.join(common)), *rest])}"
 
 
 def is_incorrect(point):
