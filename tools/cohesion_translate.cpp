@@ -60,7 +60,7 @@ ContactConditions conditions_of(const TranslateRequest& r, const ScriptCase& scr
   if (!(gravity > 0.0))
     throw std::runtime_error(
         "fix gravity has no acceleration above 0, so that there is no Bond number: specify one");
-  return {speed, gravity, script.step().value_or(0.0)};
+  return {speed, gravity, script.step().value_or(0.0), !(r.speed > 0.0) && !script.speed()};
 }
 
 /// Throws std::runtime_error with the line of the model where a value is outside its range.

@@ -12,7 +12,8 @@ namespace cohesion::tools {
 /// The conditions under which contacts are evaluated, in the units of the script.
 struct ContactConditions {
   double speed, gravity;
-  double step;  ///< 0: the script has none
+  double step;            ///< 0: the script has none
+  bool is_speed_assumed;  ///< neither script nor command line has one
 };
 
 /// Grains of two types, or of a type at a wall: the smallest of both, and the median of both.

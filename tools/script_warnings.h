@@ -40,6 +40,7 @@ class ScriptWarnings {
       check_magnitude(pair);
       check_strength(pair);
     }
+    check_overlap(pair);
     if (!(conditions_.step > 0.0)) return;
     const double steps = c.contact_time(conditions_.speed) / conditions_.step;
     const double needed = steps_needed(c);
@@ -47,12 +48,6 @@ class ScriptWarnings {
       add(pair.model->where, pair.title + ": " + digits(steps) + " time steps per contact, below " +
                                  digits(needed) + ": use a timestep of at most " +
                                  digits(conditions_.step * steps / needed));
-    const double overlap = pair.median.overlap(conditions_.speed);
-    if (overlap > advice::overlap_for_warning)
-      add(pair.model->where,
-          pair.title + ": impacts press grains by " + digits(overlap) +
-              " of the diameter: increase youngsModulus or kn until this is below " +
-              digits(advice::overlap_for_warning));
   }
 
  private:
@@ -106,6 +101,17 @@ class ScriptWarnings {
     warned_.insert(c.property);
     add(property->where(), std::string(c.property) + " is not used: add 'cohesion " + c.name +
                                "' to pair_style and walls, or remove this line");
+  }
+
+  /// Of impacts at a speed that script or command line have.
+  void check_overlap(const ContactPairOfTypes& pair) {
+    if (conditions_.is_speed_assumed) return;
+    const double overlap = pair.median.overlap(conditions_.speed);
+    if (overlap > advice::overlap_for_warning)
+      add(pair.model->where,
+          pair.title + ": impacts press grains by " + digits(overlap) +
+              " of the diameter: increase youngsModulus or kn until this is below " +
+              digits(advice::overlap_for_warning));
   }
 
   void check_modulus(const ContactPairOfTypes& pair) {
