@@ -13,6 +13,7 @@
 #include "script_contact.h"
 #include "script_reader.h"
 #include "script_report.h"
+#include "script_translation.h"
 #include "script_warnings.h"
 
 namespace {
@@ -24,6 +25,8 @@ struct TranslateRequest {
   std::string script;
   std::vector<std::string> variables;  // name, value, name, value
   double speed = 0.0, diameter = 0.0, density = 0.0;
+  std::vector<std::string> write;  // what is kept, and a file
+  Translation translation;
   bool csv = false;
 };
 
@@ -40,6 +43,20 @@ void add_options(CLI::App& app, TranslateRequest& r) {
       app.add_option("--density", r.density, "of these grains")->check(CLI::PositiveNumber);
   diameter->needs(density);
   density->needs(diameter);
+  auto* write = app.add_option("--write", r.write,
+                               "script with a law of this package in place of sjkr and sjkr2: "
+                               "equal-force or equal-velocity, and a file")
+                    ->type_name("RULE FILE")
+                    ->expected(2);
+  app.add_option("--law", r.translation.law, "of this script")
+      ->check(CLI::IsMember({"hamaker", "jkr"}))
+      ->capture_default_str()
+      ->needs(write);
+  app.add_option("--cutoff", r.translation.cutoffs,
+                 "H_cut and H_out of hamaker, in the units of the script; default: 4e-10 1e-7 m")
+      ->check(CLI::PositiveNumber)
+      ->expected(2)
+      ->needs(write);
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");
 }
 
@@ -101,6 +118,25 @@ std::vector<ContactPairOfTypes> contacts_of(const ScriptCase& script) {
   return contacts;
 }
 
+/// Throws std::runtime_error unless the rule is known and the file is another than the script.
+Translation translation_of(const TranslateRequest& r, const advice::SiUnits* units) {
+  Translation t = r.translation;
+  const double metre = units ? 1.0 / units->length : 1.0;
+  if (t.cutoffs.empty()) t.cutoffs = {4e-10 * metre, 1e-7 * metre};
+  t.keeps_velocity = r.write[0] == "equal-velocity";
+  if (!t.keeps_velocity && r.write[0] != "equal-force")
+    throw std::runtime_error("--write " + r.write[0] +
+                             ": write equal-force or equal-velocity, then the name of a file");
+  if (r.write[1] == r.script)
+    throw std::runtime_error("--write would replace the script: specify another file");
+  return t;
+}
+
+void warn(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts)
+    std::cerr << "cohesion-translate: WARNING: " << text << '\n';
+}
+
 void run(const TranslateRequest& r) {
   ScriptReader reader(variables_of(r));
   ScriptCase script(reader.read(r.script));
@@ -117,13 +153,20 @@ void run(const TranslateRequest& r) {
   ScriptReport report(conditions, r.csv);
   ScriptWarnings warnings(script, conditions);
   warnings.check_script();
-  for (const ContactPairOfTypes& contact : contacts_of(script)) {
+  const std::vector<ContactPairOfTypes> contacts = contacts_of(script);
+  for (const ContactPairOfTypes& contact : contacts) {
     report(contact);
     warnings.check_contact(contact);
   }
   std::cout.flush();
-  for (const std::string& text : warnings.texts())
-    std::cerr << "cohesion-translate: WARNING: " << text << '\n';
+  warn(warnings.texts());
+  if (r.write.empty()) return;
+  TranslatedScript translated(r.script, script, translation_of(r, script.units()));
+  for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
+  warn(translated.warnings());
+  translated.write(r.write[1]);
+  std::cerr << "cohesion-translate: wrote " << r.write[1]
+            << "; run it with liggghts-cohesion, and check its strength with cohesion-translate\n";
 }
 
 }  // namespace

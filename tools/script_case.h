@@ -124,7 +124,7 @@ class ScriptCase {
   /// Sizes of the command line, for types that the script leaves without.
   void add_grains(const Grain& grain) {
     for (const int type : created_types())
-      grains_.emplace(type, Grains{grain, grain, {"the command line", 0, {"--diameter"}}});
+      grains_.emplace(type, Grains{grain, grain, {"the command line", 0, {"--diameter"}, 0}});
   }
 
  private:

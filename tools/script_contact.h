@@ -58,6 +58,9 @@ struct PairOfScript {
 /// The contact of a pair as the script has it.
 class ScriptContact {
  public:
+  /// Of sjkr and sjkr2.
+  static constexpr const char* area_property = "cohesionEnergyDensity";
+
   /// Throws std::runtime_error with the line where the script lacks something or has a model that
   /// is not evaluated.
   ScriptContact(const ScriptCase& script, const GranularModel& model, const PairOfScript& pair)
@@ -72,6 +75,23 @@ class ScriptContact {
   const CohesionOfScript& cohesion() const { return cohesion_; }
   double strength() const { return strength_; }
   bool is_area() const { return model_.cohesion == "sjkr" || model_.cohesion == "sjkr2"; }
+  const GranularModel& model() const { return model_; }
+  const PairOfScript& pair() const { return pair_; }
+  const contact::HertzSpringDashpot& hertz() const {
+    return std::get<contact::HertzSpringDashpot>(spring_);
+  }
+  /// Of 'model hertz' and 'model hooke'.
+  contact::ContactParameters elastic() const {
+    const auto of = [&](int type) {
+      contact::ContactParameters p;
+      contact::set_hertz(p, script_.need("youngsModulus", model_).of_type(type),
+                         script_.need("poissonsRatio", model_).of_type(type));
+      return p;
+    };
+    contact::ContactParameters p = contact::mixed(of(pair_.i), of(pair_.j));
+    p.restitution = of_pair("coefficientRestitution");
+    return p;
+  }
   bool is_hertz() const { return std::holds_alternative<contact::HertzSpringDashpot>(spring_); }
 
   /// The largest net attraction; infinite: of any load, the spheres collapse.
@@ -115,6 +135,17 @@ class ScriptContact {
     return is_area() && is_hertz() ? area().overlap_at_pull_off() / pair_.reduced_radius() : 0.0;
   }
 
+  /// The adhesion of this pair, and its JKR contact, with the properties of this package.
+  contact::Adhesion hamaker_adhesion(const hamaker::HamakerParameters& p) const {
+    return std::visit([&](const auto& law) { return contact::adhesion_of(law, pair_.geometry()); },
+                      hamaker::forms.front().law(p, false));
+  }
+  advice::ElasticPair jkr_pair(double surface_energy) const {
+    contact::ContactParameters p = elastic();
+    contact::set_surface_energy(p, surface_energy);
+    return {p, pair_.reduced_radius(), pair_.reduced_mass()};
+  }
+
  private:
   using Spring = std::variant<contact::LinearSpringDashpot, contact::HertzSpringDashpot>;
   static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -122,18 +153,6 @@ class ScriptContact {
   double of_pair(const std::string& name) const {
     return script_.need(name, model_).of_pair(pair_.i, pair_.j);
   }
-  contact::ContactParameters elastic() const {
-    const auto of = [&](int type) {
-      contact::ContactParameters p;
-      contact::set_hertz(p, script_.need("youngsModulus", model_).of_type(type),
-                         script_.need("poissonsRatio", model_).of_type(type));
-      return p;
-    };
-    contact::ContactParameters p = contact::mixed(of(pair_.i), of(pair_.j));
-    p.restitution = of_pair("coefficientRestitution");
-    return p;
-  }
-
   Spring spring() const {
     const double mass = pair_.reduced_mass(), radius = pair_.reduced_radius();
     if (model_.normal == "hertz")
@@ -174,19 +193,11 @@ class ScriptContact {
       script_.need(cohesion_.property, model_).where().fail("must not be negative: correct it");
     if (is_area())
       slope_ = contact::attraction_slope(strength_, area_kind(), pair_.reduced_radius());
-    if (model_.cohesion == "hamaker" && strength_ > 0.0) {
-      const hamaker::AnyLaw law = hamaker::forms.front().law(
-          {strength_, script_.need("hamakerSurfaceCutoff", model_).scalar(),
-           script_.need("hamakerOuterCutoff", model_).scalar()},
-          false);
+    if (model_.cohesion == "hamaker" && strength_ > 0.0)
       adhesion_ =
-          std::visit([&](const auto& l) { return contact::adhesion_of(l, pair_.geometry()); }, law);
-    }
-    if (model_.cohesion == "jkr" && strength_ > 0.0) {
-      contact::ContactParameters p = elastic();
-      contact::set_surface_energy(p, strength_);
-      jkr_.emplace(p, pair_.reduced_radius(), pair_.reduced_mass());
-    }
+          hamaker_adhesion({strength_, script_.need("hamakerSurfaceCutoff", model_).scalar(),
+                            script_.need("hamakerOuterCutoff", model_).scalar()});
+    if (model_.cohesion == "jkr" && strength_ > 0.0) jkr_ = jkr_pair(strength_);
   }
 
   /// sjkr2 doubles the area between spheres only.
@@ -196,9 +207,6 @@ class ScriptContact {
   }
   const contact::LinearSpringDashpot& linear() const {
     return std::get<contact::LinearSpringDashpot>(spring_);
-  }
-  const contact::HertzSpringDashpot& hertz() const {
-    return std::get<contact::HertzSpringDashpot>(spring_);
   }
   contact::HertzWithAreaAttraction area() const { return {hertz(), slope_}; }
   advice::ContactSprings springs() const {

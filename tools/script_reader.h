@@ -19,6 +19,7 @@ struct ScriptCommand {
   std::string file;
   int line = 0;  ///< of its first word
   std::vector<std::string> words;
+  int last_line = 0;
 
   std::string place() const { return file + ':' + std::to_string(line); }
 
@@ -98,10 +99,10 @@ class ScriptReader {
         whole = whole.substr(0, last) + ' ';
         continue;
       }
-      add({file, first, words_of(whole)});
+      add({file, first, words_of(whole), line});
       whole.clear();
     }
-    add({file, first, words_of(whole)});
+    add({file, first, words_of(whole), line});
   }
 
   static std::string without_comment(const std::string& text) {

@@ -224,6 +224,74 @@ class Warnings(Translated):
         self.warned(self.changed(("2 2e5", "2 2e6")), "strongest at an overlap of")
 
 
+class Written(Translated):
+    def written(self, script, *words):
+        """The script that is written, and what the program printed as error."""
+        target = self.folder / "out.case"
+        code, _, error = self.call(script, *words[:1], *words[1:2], target, *words[2:])
+        self.assertEqual(code, 0, error)
+        return target.read_text(), error
+
+    def test_equal_force(self):
+        text, _ = self.written(SCRIPT, "--write", "equal-force")
+        self.assertNotIn("sjkr primitive", text)
+        # A = 6 F H_cut^2/R* by hand: 6 * 9.35917e-5 * 1.6e-19/2.5e-4
+        self.assertIn("fix k all property/global hamakerConstant peratomtypepair 2 3.5939204e-19 8.984801e-20 "
+                      "8.984801e-20 0\n", text)
+        found, _ = self.contacts(text)
+        self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, RADIUS / 2))
+        self.near(found["1-plate"]["pull_off"][1], sjkr_force(1e5, RADIUS))
+        text, _ = self.written(SCRIPT, "--write", "equal-force", "--law", "jkr")
+        # gamma = F/(3 pi R*)
+        gamma = sjkr_force(2e5, RADIUS / 2) / (3 * math.pi * RADIUS / 2)
+        found, _ = self.contacts(text)
+        self.near(found["1-1"]["strength"][1], gamma)
+        self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, RADIUS / 2))
+
+    def test_equal_velocity(self):
+        given, _ = self.contacts(SCRIPT)
+        for law in ("hamaker", "jkr"):
+            text, _ = self.written(SCRIPT, "--write", "equal-velocity", "--law", law)
+            found, _ = self.contacts(text)
+            for name in found:
+                self.near(found[name]["escape_velocity"][1], given[name]["escape_velocity"][1], 1e-4)
+
+    def test_other_lines_stay(self):
+        text, _ = self.written(self.changed(("cohesion sjkr  #", "cohesion &\n sjkr2 tangential_reduce on #")),
+                               "--write", "equal-force", "--cutoff", 5e-10, 2e-7)
+        lines = text.splitlines()
+        for line in SCRIPT.splitlines():
+            if "sjkr" not in line and "cohesionEnergyDensity" not in line and line != "    1e5 0":
+                self.assertIn(line, lines)
+        self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
+        self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
+
+    def test_default_cutoffs_are_in_the_units_of_the_script(self):
+        text, _ = self.written(self.changed(("units si", "units cgs")), "--write", "equal-force")
+        self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
+
+    def test_wall_of_the_type_of_grains(self):
+        text, error = self.written(self.changed(("primitive type 2", "primitive type 1")), "--write", "equal-force")
+        self.assertIn("peratomtypepair 2 3.5939204e-19 0 0 0\n", text)
+        self.assertIn("assign the wall an atom type of its own", error)
+
+    def test_refusals(self):
+        for script, words, parts in (
+                (SCRIPT, ("equal-speed", "out"), ("equal-force or equal-velocity",)),
+                (SCRIPT, ("equal-force", self.folder / "in.case"), ("would replace the script",)),
+                (SCRIPT, ("equal-force", "/nowhere/out"), ("'/nowhere/out' cannot be written",)),
+                (SCRIPT.replace("cohesion sjkr", ""), ("equal-force", "out"), ("no cohesion sjkr",)),
+                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("units si", "variable c index sjkr")),
+                 ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
+                (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
+                (self.changed(("model hertz", "model hooke")) + "fix v all property/global characteristicVelocity scalar 2\n",
+                 ("equal-force", "out"), ("in.case:9", "no pull-off force to keep"))):
+            code, output, error = self.call(script, "--write", *words)
+            self.assertNotEqual(code, 0, output)
+            for part in parts:
+                self.assertIn(part, error)
+
+
 class Errors(Translated):
     def refused(self, script, *parts, words=()):
         code, output, error = self.call(script, *words)
