@@ -97,7 +97,7 @@ std::vector<ContactPairOfTypes> contacts_of(const ScriptCase& script) {
   for (auto a = grains.begin(); script.pairs() && a != grains.end(); ++a)
     for (auto b = a; b != grains.end(); ++b) {
       const int i = a->first, j = b->first;
-      const auto of = [&](const Grain& one, const Grain& other) {
+      const auto of = [&](const ScriptGrain& one, const ScriptGrain& other) {
         return contact_of(script, *script.pairs(), {i, j, one, other});
       };
       contacts.push_back({"types " + std::to_string(i) + " and " + std::to_string(j),
@@ -107,7 +107,7 @@ std::vector<ContactPairOfTypes> contacts_of(const ScriptCase& script) {
     }
   for (const WallOfScript& wall : script.walls())
     for (const auto& [i, g] : grains) {
-      const auto of = [&, type = i](const Grain& one) {
+      const auto of = [&, type = i](const ScriptGrain& one) {
         return contact_of(script, wall.model, {type, wall.type, one, {}});
       };
       contacts.push_back({"type " + std::to_string(i) + " and wall '" + wall.id + "' of type " +

@@ -34,14 +34,14 @@ struct WallOfScript {
 };
 
 /// Sphere of one size, in the units of the script.
-struct Grain {
+struct ScriptGrain {
   double radius, density;
   double mass() const { return density * sphere_volume(radius); }
 };
 
 /// The smallest grain of an atom type, and the median by mass.
 struct Grains {
-  Grain smallest, median;
+  ScriptGrain smallest, median;
   ScriptCommand where;
 };
 
@@ -122,7 +122,7 @@ class ScriptCase {
   }
 
   /// Sizes of the command line, for types that the script leaves without.
-  void add_grains(const Grain& grain) {
+  void add_grains(const ScriptGrain& grain) {
     for (const int type : created_types())
       grains_.emplace(type, Grains{grain, grain, {"the command line", 0, {"--diameter"}, 0}});
   }
@@ -255,15 +255,15 @@ class ScriptCase {
       if (found == templates_.end()) continue;
       const Template& t = found->second;
       const double weight = c.number(k + 1, "the weight of a template");
-      shares_[c.words[k]] = by_number ? weight * Grain{t.median, t.density}.mass() : weight;
+      shares_[c.words[k]] = by_number ? weight * ScriptGrain{t.median, t.density}.mass() : weight;
     }
   }
 
   void read_set(const ScriptCommand& c) {
     const std::size_t diameter = c.find("diameter"), density = c.find("density");
     if (!c.has(diameter) || !c.has(density)) return;
-    const Grain grain{0.5 * c.number(diameter + 1, "the diameter"),
-                      c.number(density + 1, "the density")};
+    const ScriptGrain grain{0.5 * c.number(diameter + 1, "the diameter"),
+                            c.number(density + 1, "the density")};
     require_size(c, grain.radius, grain.density);
     const std::set<int> types =
         c.words[1] == "type" ? std::set<int>{c.integer(2, "the atom type")} : created_types();

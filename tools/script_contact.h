@@ -37,8 +37,8 @@ inline constexpr CohesionOfScript cohesions_of_scripts[] = {
 /// Two grains, or a grain and a wall.
 struct PairOfScript {
   int i, j;  ///< atom types; j: that of the wall
-  Grain one;
-  std::optional<Grain> other;  ///< none: a wall
+  ScriptGrain one;
+  std::optional<ScriptGrain> other;  ///< none: a wall
 
   double reduced_radius() const {
     return other ? cohesion::reduced_radius(one.radius, other->radius) : one.radius;

@@ -26,6 +26,8 @@ class ScriptWarnings {
   void check_script() {
     for (const auto& [type, grains] : script_.grains()) check_grains(type, grains);
     for (const CohesionOfScript& c : cohesions_of_scripts) check_use(c);
+    if (script_.pairs()) check_scaling(*script_.pairs());
+    for (const WallOfScript& wall : script_.walls()) check_scaling(wall.model);
     for (const WallOfScript& wall : script_.walls())
       if (script_.pairs() && wall.model.cohesion != script_.pairs()->cohesion)
         add(wall.model.where, "wall '" + wall.id + "' has cohesion " + wall.model.cohesion +
@@ -82,6 +84,14 @@ class ScriptWarnings {
       add(grains.where, "radius " + digits(radius) + " m" + of_type +
                             " is that of no powder: write it in the length of 'units " +
                             script_.unit_name() + "', 1 mm is " + digits(1e-3 / units->length));
+  }
+
+  void check_scaling(const GranularModel& model) {
+    for (const char* keyword : {"material_stiffness", "material_modulus"})
+      if (model.has_on(keyword))
+        add(model.where, std::string("'") + keyword +
+                             " on' scales the attraction, which is evaluated without it: read the "
+                             "table of liggghts-cohesion for this contact");
   }
 
   /// A strength that no model reads.

@@ -2,10 +2,12 @@
 """cohesion-translate: numbers of contacts against formulas written out again, warnings, and errors with their line."""
 import csv
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
 
+from cohesion_tests import SOURCE
 from cohesion_tests.csv_program import CsvProgram
 
 program = CsvProgram("COHESION_TRANSLATE")
@@ -103,8 +105,9 @@ class Numbers(Translated):
         self.near(found["1-plate"]["pull_off"][0], sjkr_force(1e5, RADIUS, modulus))
 
     def test_smallest_and_median_by_mass(self):
-        script = SCRIPT + """fix p2 all particletemplate/sphere 1 atom_type 1 density constant 2500 radius uniform 1e-3 2e-3
-fix p3 all particletemplate/sphere 1 atom_type 1 density constant 1000 radius gaussian number 3e-3 5e-4
+        template = "all particletemplate/sphere 1 atom_type 1 density constant"
+        script = SCRIPT + f"""fix p2 {template} 2500 radius uniform 1e-3 2e-3
+fix p3 {template} 1000 radius gaussian number 3e-3 5e-4
 fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
 """
         found, _ = self.contacts(script)
@@ -159,6 +162,26 @@ fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
 
 
+class Page(Translated):
+    PAGE = (SOURCE / "docs/tools/cohesion-translate.md").read_text()
+
+    def test_its_example_is_what_the_program_prints(self):
+        code, output, error = self.call(self.changed(("2 2e5 1e5", "2 0.05 0.05"), ("    1e5 0", "    0.05 0")))
+        self.assertEqual(code, 0, error)
+        block = re.search(r"```\n(types 1 and 1.*?)```", self.PAGE, re.S)[1]
+        self.assertIn(block, re.sub(r" +\n", "\n", output))
+
+    def test_its_options_are_those_of_the_program(self):
+        option = r"--[a-z]+"
+        table = self.PAGE.split("\n## Options\n")[1].split("\n## ")[0]
+        rows = [line.split("|")[1] for line in table.splitlines() if line.startswith("|")]
+        listed = {name for row in rows for name in re.findall(option, row)}
+        code, output, _ = program.call("--help")
+        self.assertEqual(code, 0)
+        found = {name for line in output.splitlines() for name in re.findall(rf"^ +(?:-h,)?({option})", line)}
+        self.assertEqual(listed, found)
+
+
 class Script(Translated):
     def test_meshes_variables_and_included_files(self):
         (self.folder / "plate").write_text(
@@ -167,7 +190,8 @@ class Script(Translated):
         script = self.changed(
             ("fix plate all wall/gran model hertz tangential history cohesion sjkr primitive type 2 zplane 0",
              "variable file string plate\ninclude ${file}"),
-            ("constant ${R}", "constant ${r}"), ("variable R index 5e-4", "variable D index 1e-3\nvariable r equal v_D/2"))
+            ("constant ${R}", "constant ${r}"),
+            ("variable R index 5e-4", "variable D index 1e-3\nvariable r equal v_D/2"))
         found, _ = self.contacts(script)
         self.assertEqual(list(found), ["1-1", "1-cad"])
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
@@ -175,7 +199,8 @@ class Script(Translated):
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS))
 
     def test_expressions(self):
-        script = self.changed(("variable R index 5e-4", "variable a equal 2^3*-1+9.5-(3-2)/2*2\nvariable R equal v_a*1e-3"))
+        script = self.changed(("variable R index 5e-4",
+                               "variable a equal 2^3*-1+9.5-(3-2)/2*2\nvariable R equal v_a*1e-3"))
         found, _ = self.contacts(script)  # 0.5
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
 
@@ -210,15 +235,21 @@ class Warnings(Translated):
     def test_quantities_of_no_material(self):
         self.warned(self.changed(("density constant 2500", "density constant 2.5")), "in.case:11: density 2.5", "kg/m3")
         self.warned(self.changed(("index 5e-4", "index 0.5")), "in.case:11: radius 0.5 m")
-        self.warned(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7 70")), "in.case:4: youngsModulus 70 Pa of type 2")
+        self.warned(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7 70")),
+                    "in.case:4: youngsModulus 70 Pa of type 2")
 
     def test_cohesion_that_is_not_used_or_unlike(self):
         self.warned(self.changed(("cohesion sjkr", "")), "in.case:7: cohesionEnergyDensity is not used")
         self.warned(self.changed(("cohesion sjkr primitive", "primitive")), "in.case:10: wall 'plate' has cohesion off")
 
     def test_steps_and_overlaps(self):
-        self.warned(self.changed(("timestep 1e-6", "timestep 1e-5")), "in.case:9: types 1 and 1", "time steps per contact")
+        self.warned(self.changed(("timestep 1e-6", "timestep 1e-5")),
+                    "in.case:9: types 1 and 1", "time steps per contact")
         self.warned(SCRIPT, "press grains by", words=("--speed", 1))
+
+    def test_scaled_attraction(self):
+        self.warned(self.changed(("history cohesion sjkr  #", "history cohesion sjkr material_modulus on #")),
+                    "in.case:9: 'material_modulus on' scales the attraction")
 
     def test_attraction_beyond_small_overlaps(self):
         self.warned(self.changed(("2 2e5", "2 2e6")), "strongest at an overlap of")
@@ -284,7 +315,8 @@ class Written(Translated):
                 (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("units si", "variable c index sjkr")),
                  ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
                 (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
-                (self.changed(("model hertz", "model hooke")) + "fix v all property/global characteristicVelocity scalar 2\n",
+                (self.changed(("model hertz", "model hooke"))
+                 + "fix v all property/global characteristicVelocity scalar 2\n",
                  ("equal-force", "out"), ("in.case:9", "no pull-off force to keep"))):
             code, output, error = self.call(script, "--write", *words)
             self.assertNotEqual(code, 0, output)
@@ -304,9 +336,11 @@ class Errors(Translated):
                      "in.case:10: 'cohesion easo/capillary/viscous' is not evaluated", "sjkr2")
         self.refused(self.changed(("model hertz tangential history cohesion sjkr  #", "model luding #")),
                      "in.case:9: 'model luding' is not evaluated")
-        self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")), "in.case:9", "LIGGGHTS 3")
+        self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")),
+                     "in.case:9", "LIGGGHTS 3")
         self.refused(self.changed(("youngsModulus", "youngModulus")), "youngsModulus", "add this line")
-        self.refused(self.changed(("variable R index", "#")), "in.case:11: the value of the variable 'R'", "--var R VALUE")
+        self.refused(self.changed(("variable R index", "#")),
+                     "in.case:11: the value of the variable 'R'", "--var R VALUE")
         self.refused(self.changed(("constant ${R}", "constant 1mm")), "in.case:11: '1mm' is no number")
         self.refused(self.changed(("constant ${R}", "lognormal 1 2")), "in.case:11", "uniform or gaussian")
         self.refused(self.changed(("    1e5 0", "    2e5 0")), "in.case:7", "symmetric")
