@@ -2,6 +2,7 @@
 // cohesion-translate: what the cohesion of a script of LIGGGHTS amounts to.
 // Manual: docs/tools/cohesion-translate.md
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <iostream>
 #include <map>
 #include <string>
@@ -137,9 +138,8 @@ void warn(const std::vector<std::string>& texts) {
     std::cerr << "cohesion-translate: WARNING: " << text << '\n';
 }
 
-void run(const TranslateRequest& r) {
-  ScriptReader reader(variables_of(r));
-  ScriptCase script(reader.read(r.script));
+/// Adds the grains of the command line. Throws std::runtime_error where contacts or sizes lack.
+void require_contacts(const TranslateRequest& r, ScriptCase& script) {
   if (!script.pairs() && script.walls().empty())
     throw std::runtime_error(r.script +
                              ": has neither 'pair_style gran' nor 'fix wall/gran': name the script "
@@ -149,6 +149,12 @@ void run(const TranslateRequest& r) {
     throw std::runtime_error(r.script +
                              ": has no particle template and no 'set' of diameter and density: "
                              "specify --diameter and --density");
+}
+
+void run(const TranslateRequest& r) {
+  ScriptReader reader(variables_of(r));
+  ScriptCase script(reader.read(r.script));
+  require_contacts(r, script);
   const ContactConditions conditions = conditions_of(r, script);
   ScriptReport report(conditions, r.csv);
   ScriptWarnings warnings(script, conditions);
@@ -158,7 +164,7 @@ void run(const TranslateRequest& r) {
     report(contact);
     warnings.check_contact(contact);
   }
-  std::cout.flush();
+  std::fflush(stdout);
   warn(warnings.texts());
   if (r.write.empty()) return;
   TranslatedScript translated(r.script, script, translation_of(r, script.units()));
