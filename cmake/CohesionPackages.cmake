@@ -73,7 +73,7 @@ if(BUILD_OpenFOAM)
     "${common}, ${engine}, openfoam, openmpi-bin, cohesion-lammps (= ${version}) | cohesion-liggghts (= ${version})")
 endif()
 if(BUILD_CLI11)
-  cohesion_package(tools "cohesion-mapping, cohesion-powder, array-drag" "${common}")
+  cohesion_package(tools "cohesion-mapping, cohesion-powder, cohesion-translate, array-drag" "${common}")
 endif()
 # The coupling's own libraries
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/openfoam)

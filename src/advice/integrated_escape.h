@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/adhesion.h"
+#include "contact/area_attraction.h"
 #include "contact/hertz_spring_dashpot.h"
 #include "contact/jkr_spring_dashpot.h"
 #include "contact_solver/integrated_contact.h"
@@ -61,6 +62,17 @@ inline double escape_velocity(const contact::HertzSpringDashpot& law,
         return parts > 0.0 && parts * parts > paid;
       },
       std::max(std::sqrt(paid + gained), std::sqrt(adhesion.force / mass * pressed)));
+}
+
+/// Of Hertz's contact with an attraction in proportion to the area of contact, [length/time]; 0:
+/// they never stick.
+inline double escape_velocity(const contact::HertzWithAreaAttraction& law) {
+  if (!(law.well_energy() > 0.0) || !law.is_damped()) return 0.0;
+  return detail::least_speed(
+      [&](double speed) {
+        return detail::parting_speed(law, 0.0, speed, law.hertz().contact_time(speed)) > 0.0;
+      },
+      std::sqrt(2.0 * law.well_energy() / law.reduced_mass()));
 }
 
 /// Of JKR's contact, [length/time]. hertz: the same without adhesion.

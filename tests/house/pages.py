@@ -23,8 +23,8 @@ KINDS = {"syntax", "python", "cmake", "yaml", "lammps", "lammps-part", "liggghts
          "formula", "printed"}
 #: Folders of the repository that lines of the shell name.
 FOLDERS = {"examples", "scripts", "lammps-package", "liggghts-styles", "openfoam-coupling", "tests", "tools", "docs"}
-#: Programs whose runs take minutes: of these the options are looked up.
-LONG = {"array-drag"}
+#: Programs whose runs take minutes or need a script of the user: of these the options are looked up.
+LONG = {"array-drag", "cohesion-translate"}
 
 
 def named_files(text):

@@ -134,6 +134,10 @@ class Moved(unittest.TestCase):
                   " --write case")
         self.assertTrue((self.work / "case/Allrun").exists())
 
+    def test_translate(self):
+        self.require("tools/cohesion-translate")
+        self.assertEqual(self.call("cohesion-translate --version").strip(), f"cohesion-translate, Cohesion {VERSION}")
+
     def test_studies(self):
         self.assertIn("fluidised-bed", self.call("cohesion-studies"))
         self.assertIn("--build", self.call("cohesion-studies fluidised-bed study --help"))

@@ -35,7 +35,7 @@ def pages():
 
 def programs():
     """Of this package, by the words of its build."""
-    return {"cohesion-mapping", "cohesion-powder", "array-drag", "cohesiveBedFoam", "cohesion-studies", "lmp-cohesion",
+    return {"cohesion-mapping", "cohesion-powder", "cohesion-translate", "array-drag", "cohesiveBedFoam", "cohesion-studies", "lmp-cohesion",
             "liggghts-cohesion"}
 
 

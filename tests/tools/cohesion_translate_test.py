@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""cohesion-translate: numbers of contacts against formulas written out again, warnings, and errors with their line."""
+import csv
+import math
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from cohesion_tests import SOURCE
+from cohesion_tests.csv_program import CsvProgram
+
+program = CsvProgram("COHESION_TRANSLATE")
+#: Grains of 1 mm on a plate, both of E = 2e7 Pa, nu = 0.22.
+SCRIPT = """# own case
+units si
+variable R index 5e-4
+fix E all property/global youngsModulus peratomtype 2e7 2e7
+fix nu all property/global poissonsRatio peratomtype 0.22 0.22
+fix e all property/global coefficientRestitution peratomtypepair 2 0.9 0.9 0.9 0.9
+fix k all property/global cohesionEnergyDensity peratomtypepair 2 2e5 1e5 &
+    1e5 0
+pair_style gran model hertz tangential history cohesion sjkr  # of pairs
+fix plate all wall/gran model hertz tangential history cohesion sjkr primitive type 2 zplane 0
+fix p1 all particletemplate/sphere 1 atom_type 1 density constant 2500 radius constant ${R}
+fix gravity all gravity 9.81 vector 0 0 -1
+timestep 1e-6
+"""
+RADIUS, DENSITY, MODULUS, GRAVITY = 5e-4, 2500, 2e7 / (2 * (1 - 0.22**2)), 9.81
+MASS = DENSITY * 4 / 3 * math.pi * RADIUS**3
+
+
+def sjkr_force(density, reduced, modulus=MODULUS):
+    return 2 / 3 * math.pi**3 * reduced**2 * density**3 / modulus**2
+
+
+def hertz_time(mass, reduced, speed):
+    """Johnson, Contact mechanics, eq. 11.24."""
+    deepest = (15 * mass * speed**2 / (16 * MODULUS * math.sqrt(reduced)))**0.4
+    return 2.94327 * deepest / speed, deepest
+
+
+class Translated(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def call(self, script, *words):
+        (self.folder / "in.case").write_text(script)
+        return program.call(self.folder / "in.case", *words)
+
+    def contacts(self, script, *words):
+        """{contact: {name: (smallest, median)}}, warnings."""
+        code, output, error = self.call(script, "--csv", *words)
+        self.assertEqual(code, 0, error)
+        found = {}
+        for row in csv.DictReader(output.splitlines()):
+            found.setdefault(row["contact"], {})[row["name"]] = float(row["smallest"]), float(row["median"])
+        return found, error
+
+    def near(self, value, expected, within=1e-5):
+        self.assertAlmostEqual(value / expected, 1, delta=within)
+
+    def changed(self, *pairs):
+        script = SCRIPT
+        for old, new in pairs:
+            self.assertIn(old, script)
+            script = script.replace(old, new)
+        return script
+
+
+class Numbers(Translated):
+    def test_spheres_and_plate(self):
+        found, error = self.contacts(SCRIPT)
+        self.assertEqual(list(found), ["1-1", "1-plate"])
+        for name, k, reduced, mass in (("1-1", 2e5, RADIUS / 2, MASS / 2), ("1-plate", 1e5, RADIUS, MASS)):
+            force, (time, deepest) = sjkr_force(k, reduced), hertz_time(mass, reduced, 1)
+            for size in (0, 1):
+                of = {quantity: values[size] for quantity, values in found[name].items()}
+                self.near(of["strength"], k)
+                self.near(of["pull_off"], force)
+                self.near(of["bond_number"], force / (MASS * GRAVITY))
+                self.near(of["contact_time"], time)
+                self.near(of["steps_per_contact"], time / 1e-6)
+                self.near(of["overlap"], deepest / (2 * RADIUS))
+        self.assertEqual(error, "")
+
+    def test_sjkr2_doubles_the_area_between_spheres_only(self):
+        one, _ = self.contacts(SCRIPT)
+        two, _ = self.contacts(SCRIPT.replace("sjkr", "sjkr2"))
+        self.near(two["1-1"]["pull_off"][0], 8 * one["1-1"]["pull_off"][0])
+        self.near(two["1-plate"]["pull_off"][0], one["1-plate"]["pull_off"][0])
+
+    def test_escape_velocity_scales_with_the_well(self):
+        """The well is b x^2/10 with x = (b/c)^2: five powers of k in the energy."""
+        one, _ = self.contacts(SCRIPT)
+        two, _ = self.contacts(self.changed(("2 2e5", "2 1e5")))
+        self.near(one["1-1"]["escape_velocity"][0] / two["1-1"]["escape_velocity"][0], 2**2.5, 1e-4)
+
+    def test_unlike_materials(self):
+        script = self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7 4e7"), ("0.22 0.22", "0.22 0.3"))
+        found, _ = self.contacts(script)
+        modulus = 1 / ((1 - 0.22**2) / 2e7 + (1 - 0.3**2) / 4e7)
+        self.near(found["1-plate"]["pull_off"][0], sjkr_force(1e5, RADIUS, modulus))
+
+    def test_smallest_and_median_by_mass(self):
+        template = "all particletemplate/sphere 1 atom_type 1 density constant"
+        script = SCRIPT + f"""fix p2 {template} 2500 radius uniform 1e-3 2e-3
+fix p3 {template} 1000 radius gaussian number 3e-3 5e-4
+fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
+"""
+        found, _ = self.contacts(script)
+        self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
+        self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, 1.5e-3 / 2))
+        by_number = script.replace("discrete 1 3", "discrete/numberbased 1 3")
+        # p3, the heaviest, has 0.2 * 1000 * 3^3 = 5400 of 0.3 * 2500/8 + 0.5 * 2500 * 1.5^3 + 5400 = 9712
+        self.near(self.contacts(by_number)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, 1.5e-3))
+
+    def test_speed_of_the_script(self):
+        insertion = "fix i all insert/pack seed 1 distributiontemplate d vel constant 0 3 -4 region r\n"
+        for script, words, speed in ((SCRIPT + insertion, (), 5), (SCRIPT + insertion, ("--speed", 0.1), 0.1)):
+            found, _ = self.contacts(script, *words)
+            self.near(found["1-1"]["contact_time"][0], hertz_time(MASS / 2, RADIUS / 2, speed)[0])
+
+    def test_hamaker_and_jkr(self):
+        hamaker = self.changed(("cohesionEnergyDensity", "hamakerConstant"), ("2 2e5 1e5", "2 1e-19 1e-19"),
+                               ("    1e5 0", "    1e-19 0"), ("sjkr", "hamaker")) + (
+            "fix c all property/global hamakerSurfaceCutoff scalar 4e-10\n"
+            "fix o all property/global hamakerOuterCutoff scalar 1e-7\n")
+        found, _ = self.contacts(hamaker)
+        self.near(found["1-1"]["pull_off"][0], 1e-19 * RADIUS / 2 / (6 * 4e-10**2))
+        jkr = self.changed(("cohesionEnergyDensity", "surfaceEnergy"), ("2 2e5 1e5", "2 0.05 0.02"),
+                           ("    1e5 0", "    0.02 0"), ("sjkr", "jkr"))
+        found, _ = self.contacts(jkr)
+        self.near(found["1-1"]["pull_off"][0], 3 * math.pi * 0.05 * RADIUS / 2)
+        self.near(found["1-plate"]["pull_off"][0], 3 * math.pi * 0.02 * RADIUS)
+
+    def test_linear_springs(self):
+        stiff = self.changed(("model hertz", "model hooke/stiffness")) + (
+            "fix kn all property/global kn peratomtypepair 2 500 500 500 500\n"
+            "fix gn all property/global gamman peratomtypepair 2 10 10 10 10\n")
+        found, error = self.contacts(stiff)
+        self.near(found["1-1"]["contact_time"][0], math.pi * math.sqrt(MASS / 2 / 500))
+        self.assertEqual(found["1-1"]["pull_off"][0], 0)
+        self.assertIn("no pull-off force with model hooke/stiffness", error)
+        # 2 pi R* k = 314 N/m is above the spring
+        found, error = self.contacts(stiff.replace("2 500", "2 300"))
+        self.assertEqual(found["1-1"]["pull_off"][0], math.inf)
+        self.assertIn("spheres collapse", error)
+        found, _ = self.contacts(self.changed(("model hertz", "model hooke"))
+                                 + "fix v all property/global characteristicVelocity scalar 2\n")
+        stiffness = 16 / 15 * math.sqrt(RADIUS / 2) * MODULUS * (
+            15 * MASS / 2 * 4 / (16 * math.sqrt(RADIUS / 2) * MODULUS))**0.2
+        self.near(found["1-1"]["contact_time"][0], math.pi * math.sqrt(MASS / 2 / stiffness))
+
+    def test_hertz_of_given_stiffness(self):
+        """F = kn sqrt(R*) x^(3/2), of E* = 3/4 kn."""
+        found, _ = self.contacts(self.changed(("model hertz", "model hertz/stiffness")) + (
+            f"fix kn all property/global kn peratomtypepair 2 {' '.join([repr(4 / 3 * MODULUS)] * 4)}\n"
+            "fix gn all property/global gamman peratomtypepair 2 10 10 10 10\n"))
+        self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
+
+
+class Page(Translated):
+    PAGE = (SOURCE / "docs/tools/cohesion-translate.md").read_text()
+
+    def test_its_example_is_what_the_program_prints(self):
+        code, output, error = self.call(self.changed(("2 2e5 1e5", "2 0.05 0.05"), ("    1e5 0", "    0.05 0")))
+        self.assertEqual(code, 0, error)
+        block = re.search(r"```\n(types 1 and 1.*?)```", self.PAGE, re.S)[1]
+        self.assertIn(block, re.sub(r" +\n", "\n", output))
+
+    def test_its_options_are_those_of_the_program(self):
+        option = r"--[a-z]+"
+        table = self.PAGE.split("\n## Options\n")[1].split("\n## ")[0]
+        rows = [line.split("|")[1] for line in table.splitlines() if line.startswith("|")]
+        listed = {name for row in rows for name in re.findall(option, row)}
+        code, output, _ = program.call("--help")
+        self.assertEqual(code, 0)
+        found = {name for line in output.splitlines() for name in re.findall(rf"^ +(?:-h,)?({option})", line)}
+        self.assertEqual(listed, found)
+
+
+class Script(Translated):
+    def test_meshes_variables_and_included_files(self):
+        (self.folder / "plate").write_text(
+            "fix cad all mesh/surface file x.stl type 2\n"
+            "fix w all wall/gran model hertz tangential history cohesion sjkr mesh n_meshes 1 meshes cad\n")
+        script = self.changed(
+            ("fix plate all wall/gran model hertz tangential history cohesion sjkr primitive type 2 zplane 0",
+             "variable file string plate\ninclude ${file}"),
+            ("constant ${R}", "constant ${r}"),
+            ("variable R index 5e-4", "variable D index 1e-3\nvariable r equal v_D/2"))
+        found, _ = self.contacts(script)
+        self.assertEqual(list(found), ["1-1", "1-cad"])
+        self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
+        found, _ = self.contacts(script, "--var", "D", "2e-3")
+        self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS))
+
+    def test_expressions(self):
+        script = self.changed(("variable R index 5e-4",
+                               "variable a equal 2^3*-1+9.5-(3-2)/2*2\nvariable R equal v_a*1e-3"))
+        found, _ = self.contacts(script)  # 0.5
+        self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
+
+    def test_sizes_of_set_and_of_the_command_line(self):
+        template = next(line for line in SCRIPT.splitlines() if "particletemplate" in line)
+        given, _ = self.contacts(SCRIPT)
+        by_set, _ = self.contacts(self.changed((template, "set group all diameter 1e-3 density 2500")))
+        by_word, _ = self.contacts(self.changed((template, "")), "--diameter", 1e-3, "--density", 2500)
+        for other in (by_set, by_word):
+            self.assertEqual(other.keys(), given.keys())
+            self.near(other["1-1"]["bond_number"][0], given["1-1"]["bond_number"][0])
+
+
+class Warnings(Translated):
+    def warned(self, script, *parts, words=()):
+        _, error = self.contacts(script, *words)
+        for part in parts:
+            self.assertIn(part, error)
+
+    def test_surface_energy_in_place_of_energy_density(self):
+        script = self.changed(("2 2e5 1e5", "2 0.05 0.05"), ("    1e5 0", "    0.05 0"))
+        found, error = self.contacts(script)
+        # sjkr_force(0.05, R*)/(m g): 1.1e-19
+        self.near(found["1-1"]["bond_number"][0], 1.13881e-19, 1e-4)
+        self.assertIn("in.case:7: types 1 and 1: cohesion sjkr has a Bond number of 1.14e-19", error)
+        self.assertIn("0.05 J/m3 is in the range of surface energies in J/m2", error)
+        # The density that is named has a Bond number of 1, to its three digits.
+        named = error.split("use cohesionEnergyDensity ")[1].split()[0]
+        found, _ = self.contacts(self.changed(("2 2e5 1e5", f"2 {named} 1e5")))
+        self.near(found["1-1"]["bond_number"][0], 1, 0.02)
+
+    def test_quantities_of_no_material(self):
+        self.warned(self.changed(("density constant 2500", "density constant 2.5")), "in.case:11: density 2.5", "kg/m3")
+        self.warned(self.changed(("index 5e-4", "index 0.5")), "in.case:11: radius 0.5 m")
+        self.warned(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7 70")),
+                    "in.case:4: youngsModulus 70 Pa of type 2")
+
+    def test_cohesion_that_is_not_used_or_unlike(self):
+        self.warned(self.changed(("cohesion sjkr", "")), "in.case:7: cohesionEnergyDensity is not used")
+        self.warned(self.changed(("cohesion sjkr primitive", "primitive")), "in.case:10: wall 'plate' has cohesion off")
+
+    def test_steps_and_overlaps(self):
+        self.warned(self.changed(("timestep 1e-6", "timestep 1e-5")),
+                    "in.case:9: types 1 and 1", "time steps per contact")
+        self.warned(SCRIPT, "press grains by", words=("--speed", 1))
+
+    def test_scaled_attraction(self):
+        self.warned(self.changed(("history cohesion sjkr  #", "history cohesion sjkr material_modulus on #")),
+                    "in.case:9: 'material_modulus on' scales the attraction")
+
+    def test_attraction_beyond_small_overlaps(self):
+        self.warned(self.changed(("2 2e5", "2 2e6")), "strongest at an overlap of")
+
+
+class Written(Translated):
+    def written(self, script, *words):
+        """The script that is written, and what the program printed as error."""
+        target = self.folder / "out.case"
+        code, _, error = self.call(script, *words[:1], *words[1:2], target, *words[2:])
+        self.assertEqual(code, 0, error)
+        return target.read_text(), error
+
+    def test_equal_force(self):
+        text, _ = self.written(SCRIPT, "--write", "equal-force")
+        self.assertNotIn("sjkr primitive", text)
+        # A = 6 F H_cut^2/R* by hand: 6 * 9.35917e-5 * 1.6e-19/2.5e-4
+        self.assertIn("fix k all property/global hamakerConstant peratomtypepair 2 3.5939204e-19 8.984801e-20 "
+                      "8.984801e-20 0\n", text)
+        found, _ = self.contacts(text)
+        self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, RADIUS / 2))
+        self.near(found["1-plate"]["pull_off"][1], sjkr_force(1e5, RADIUS))
+        text, _ = self.written(SCRIPT, "--write", "equal-force", "--law", "jkr")
+        # gamma = F/(3 pi R*)
+        gamma = sjkr_force(2e5, RADIUS / 2) / (3 * math.pi * RADIUS / 2)
+        found, _ = self.contacts(text)
+        self.near(found["1-1"]["strength"][1], gamma)
+        self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, RADIUS / 2))
+
+    def test_equal_velocity(self):
+        given, _ = self.contacts(SCRIPT)
+        for law in ("hamaker", "jkr"):
+            text, _ = self.written(SCRIPT, "--write", "equal-velocity", "--law", law)
+            found, _ = self.contacts(text)
+            for name in found:
+                self.near(found[name]["escape_velocity"][1], given[name]["escape_velocity"][1], 1e-4)
+
+    def test_other_lines_stay(self):
+        text, _ = self.written(self.changed(("cohesion sjkr  #", "cohesion &\n sjkr2 tangential_reduce on #")),
+                               "--write", "equal-force", "--cutoff", 5e-10, 2e-7)
+        lines = text.splitlines()
+        for line in SCRIPT.splitlines():
+            if "sjkr" not in line and "cohesionEnergyDensity" not in line and line != "    1e5 0":
+                self.assertIn(line, lines)
+        self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
+        self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
+
+    def test_default_cutoffs_are_in_the_units_of_the_script(self):
+        text, _ = self.written(self.changed(("units si", "units cgs")), "--write", "equal-force")
+        self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
+
+    def test_wall_of_the_type_of_grains(self):
+        text, error = self.written(self.changed(("primitive type 2", "primitive type 1")), "--write", "equal-force")
+        self.assertIn("peratomtypepair 2 3.5939204e-19 0 0 0\n", text)
+        self.assertIn("assign the wall an atom type of its own", error)
+
+    def test_refusals(self):
+        for script, words, parts in (
+                (SCRIPT, ("equal-speed", "out"), ("equal-force or equal-velocity",)),
+                (SCRIPT, ("equal-force", self.folder / "in.case"), ("would replace the script",)),
+                (SCRIPT, ("equal-force", "/nowhere/out"), ("'/nowhere/out' cannot be written",)),
+                (SCRIPT.replace("cohesion sjkr", ""), ("equal-force", "out"), ("no cohesion sjkr",)),
+                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("units si", "variable c index sjkr")),
+                 ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
+                (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
+                (self.changed(("model hertz", "model hooke"))
+                 + "fix v all property/global characteristicVelocity scalar 2\n",
+                 ("equal-force", "out"), ("in.case:9", "no pull-off force to keep"))):
+            code, output, error = self.call(script, "--write", *words)
+            self.assertNotEqual(code, 0, output)
+            for part in parts:
+                self.assertIn(part, error)
+
+
+class Errors(Translated):
+    def refused(self, script, *parts, words=()):
+        code, output, error = self.call(script, *words)
+        self.assertNotEqual(code, 0, output)
+        for part in parts:
+            self.assertIn(part, error + output)
+
+    def test_place_and_cure(self):
+        self.refused(self.changed(("cohesion sjkr primitive", "cohesion easo/capillary/viscous primitive")),
+                     "in.case:10: 'cohesion easo/capillary/viscous' is not evaluated", "sjkr2")
+        self.refused(self.changed(("model hertz tangential history cohesion sjkr  #", "model luding #")),
+                     "in.case:9: 'model luding' is not evaluated")
+        self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")),
+                     "in.case:9", "LIGGGHTS 3")
+        self.refused(self.changed(("youngsModulus", "youngModulus")), "youngsModulus", "add this line")
+        self.refused(self.changed(("variable R index", "#")),
+                     "in.case:11: the value of the variable 'R'", "--var R VALUE")
+        self.refused(self.changed(("constant ${R}", "constant 1mm")), "in.case:11: '1mm' is no number")
+        self.refused(self.changed(("constant ${R}", "lognormal 1 2")), "in.case:11", "uniform or gaussian")
+        self.refused(self.changed(("    1e5 0", "    2e5 0")), "in.case:7", "symmetric")
+        self.refused(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7")), "in.case:4", "youngsModulus of type 2")
+        self.refused(self.changed(("0.22 0.22", "0.22 0.7")), "Poisson's ratio", "0.7")
+        self.refused(self.changed(("primitive type", "kind")), "in.case:10", "primitive")
+        self.refused("units si\n", "neither 'pair_style gran' nor")
+        self.refused(self.changed(("fix p1", "#")), "specify --diameter and --density")
+        self.refused("include nowhere\n", "in.case:1: the file 'nowhere' cannot be read")
+        code, _, error = program.call("/nowhere/in.case")
+        self.assertNotEqual(code, 0)
+        self.assertIn("'/nowhere/in.case' cannot be read", error)
+
+
+if __name__ == "__main__":
+    unittest.main()

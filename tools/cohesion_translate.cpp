@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// cohesion-translate: what the cohesion of a script of LIGGGHTS amounts to.
+// Manual: docs/tools/cohesion-translate.md
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cohesion_version.h"
+#include "command_line.h"
+#include "script_case.h"
+#include "script_contact.h"
+#include "script_reader.h"
+#include "script_report.h"
+#include "script_translation.h"
+#include "script_warnings.h"
+
+namespace {
+
+using namespace cohesion;
+using namespace cohesion::tools;
+
+struct TranslateRequest {
+  std::string script;
+  std::vector<std::string> variables;  // name, value, name, value
+  double speed = 0.0, diameter = 0.0, density = 0.0;
+  std::vector<std::string> write;  // what is kept, and a file
+  Translation translation;
+  bool csv = false;
+};
+
+void add_options(CLI::App& app, TranslateRequest& r) {
+  app.add_option("SCRIPT", r.script, "of LIGGGHTS")->required();
+  app.add_option("--var", r.variables, "name and value of a variable, as often as needed")
+      ->type_name("NAME VALUE")
+      ->expected(2, 1000);
+  app.add_option("--speed", r.speed, "of impacts; default: of the fastest insertion, or 1 m/s")
+      ->check(CLI::PositiveNumber);
+  auto* diameter = app.add_option("--diameter", r.diameter, "of grains whose size the script lacks")
+                       ->check(CLI::PositiveNumber);
+  auto* density =
+      app.add_option("--density", r.density, "of these grains")->check(CLI::PositiveNumber);
+  diameter->needs(density);
+  density->needs(diameter);
+  auto* write = app.add_option("--write", r.write,
+                               "script with a law of this package in place of sjkr and sjkr2: "
+                               "equal-force or equal-velocity, and a file")
+                    ->type_name("RULE FILE")
+                    ->expected(2);
+  app.add_option("--law", r.translation.law, "of this script")
+      ->check(CLI::IsMember({"hamaker", "jkr"}))
+      ->capture_default_str()
+      ->needs(write);
+  app.add_option("--cutoff", r.translation.cutoffs,
+                 "H_cut and H_out of hamaker, in the units of the script; default: 4e-10 1e-7 m")
+      ->check(CLI::PositiveNumber)
+      ->expected(2)
+      ->needs(write);
+  app.add_flag("--csv", r.csv, "comma-separated values with all digits");
+}
+
+std::map<std::string, std::string> variables_of(const TranslateRequest& r) {
+  if (r.variables.size() % 2 != 0)
+    throw std::runtime_error("--var has a name without a value: write --var NAME VALUE");
+  std::map<std::string, std::string> values;
+  for (std::size_t k = 0; k < r.variables.size(); k += 2)
+    values[r.variables[k]] = r.variables[k + 1];
+  return values;
+}
+
+ContactConditions conditions_of(const TranslateRequest& r, const ScriptCase& script) {
+  const advice::SiUnits* units = script.units();
+  const double metre = units ? 1.0 / units->length : 1.0, second = units ? 1.0 / units->time : 1.0;
+  const double speed = r.speed > 0.0 ? r.speed : script.speed().value_or(metre / second);
+  const double gravity = script.gravity().value_or(9.81 * metre / (second * second));
+  if (!(gravity > 0.0))
+    throw std::runtime_error(
+        "fix gravity has no acceleration above 0, so that there is no Bond number: specify one");
+  return {speed, gravity, script.step().value_or(0.0), !(r.speed > 0.0) && !script.speed()};
+}
+
+/// Throws std::runtime_error with the line of the model where a value is outside its range.
+ScriptContact contact_of(const ScriptCase& script, const GranularModel& model,
+                         const PairOfScript& pair) {
+  try {
+    return {script, model, pair};
+  } catch (const InvalidParameter& error) {
+    model.where.fail("types " + std::to_string(pair.i) + " and " + std::to_string(pair.j) + ": " +
+                     error.what());
+  }
+}
+
+std::vector<ContactPairOfTypes> contacts_of(const ScriptCase& script) {
+  std::vector<ContactPairOfTypes> contacts;
+  const auto& grains = script.grains();
+  for (auto a = grains.begin(); script.pairs() && a != grains.end(); ++a)
+    for (auto b = a; b != grains.end(); ++b) {
+      const int i = a->first, j = b->first;
+      const auto of = [&](const ScriptGrain& one, const ScriptGrain& other) {
+        return contact_of(script, *script.pairs(), {i, j, one, other});
+      };
+      contacts.push_back({"types " + std::to_string(i) + " and " + std::to_string(j),
+                          std::to_string(i) + '-' + std::to_string(j), &*script.pairs(), i, j,
+                          of(a->second.smallest, b->second.smallest),
+                          of(a->second.median, b->second.median)});
+    }
+  for (const WallOfScript& wall : script.walls())
+    for (const auto& [i, g] : grains) {
+      const auto of = [&, type = i](const ScriptGrain& one) {
+        return contact_of(script, wall.model, {type, wall.type, one, {}});
+      };
+      contacts.push_back({"type " + std::to_string(i) + " and wall '" + wall.id + "' of type " +
+                              std::to_string(wall.type),
+                          std::to_string(i) + "-" + wall.id, &wall.model, i, wall.type,
+                          of(g.smallest), of(g.median)});
+    }
+  return contacts;
+}
+
+/// Throws std::runtime_error unless the rule is known and the file is another than the script.
+Translation translation_of(const TranslateRequest& r, const advice::SiUnits* units) {
+  Translation t = r.translation;
+  const double metre = units ? 1.0 / units->length : 1.0;
+  if (t.cutoffs.empty()) t.cutoffs = {4e-10 * metre, 1e-7 * metre};
+  t.keeps_velocity = r.write[0] == "equal-velocity";
+  if (!t.keeps_velocity && r.write[0] != "equal-force")
+    throw std::runtime_error("--write " + r.write[0] +
+                             ": write equal-force or equal-velocity, then the name of a file");
+  if (r.write[1] == r.script)
+    throw std::runtime_error("--write would replace the script: specify another file");
+  return t;
+}
+
+void warn(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts)
+    std::cerr << "cohesion-translate: WARNING: " << text << '\n';
+}
+
+/// Adds the grains of the command line. Throws std::runtime_error where contacts or sizes lack.
+void require_contacts(const TranslateRequest& r, ScriptCase& script) {
+  if (!script.pairs() && script.walls().empty())
+    throw std::runtime_error(r.script +
+                             ": has neither 'pair_style gran' nor 'fix wall/gran': name the script "
+                             "that sets the contacts");
+  if (r.diameter > 0.0) script.add_grains({0.5 * r.diameter, r.density});
+  if (script.grains().empty())
+    throw std::runtime_error(r.script +
+                             ": has no particle template and no 'set' of diameter and density: "
+                             "specify --diameter and --density");
+}
+
+void run(const TranslateRequest& r) {
+  ScriptReader reader(variables_of(r));
+  ScriptCase script(reader.read(r.script));
+  require_contacts(r, script);
+  const ContactConditions conditions = conditions_of(r, script);
+  ScriptReport report(conditions, r.csv);
+  ScriptWarnings warnings(script, conditions);
+  warnings.check_script();
+  const std::vector<ContactPairOfTypes> contacts = contacts_of(script);
+  for (const ContactPairOfTypes& contact : contacts) {
+    report(contact);
+    warnings.check_contact(contact);
+  }
+  std::fflush(stdout);
+  warn(warnings.texts());
+  if (r.write.empty()) return;
+  TranslatedScript translated(r.script, script, translation_of(r, script.units()));
+  for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
+  warn(translated.warnings());
+  translated.write(r.write[1]);
+  std::cerr << "cohesion-translate: wrote " << r.write[1]
+            << "; run it with liggghts-cohesion, and check its strength with cohesion-translate\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  TranslateRequest request;
+  CLI::App app{
+      "Strength of the cohesion that a script of LIGGGHTS specifies, in its units.\n"
+      "Manual: docs/tools/cohesion-translate.md"};
+  app.set_version_flag("--version", "cohesion-translate, Cohesion " COHESION_VERSION);
+  add_options(app, request);
+  CLI11_PARSE(app, argc, argv);
+  return cohesion::tools::exit_code_of("cohesion-translate", [&] { run(request); });
+}

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "advice/si_units.h"
+#include "script_reader.h"
+#include "sphere.h"
+
+namespace cohesion::tools {
+
+/// The contact models of a pair_style or wall.
+struct GranularModel {
+  ScriptCommand where;
+  std::string normal, cohesion = "off";
+
+  bool has_on(const std::string& keyword) const {
+    const std::size_t at = where.find(keyword);
+    return where.has(at + 1) && where.words[at + 1] == "on";
+  }
+};
+
+struct WallOfScript {
+  std::string id;
+  int type;
+  GranularModel model;
+};
+
+/// Sphere of one size, in the units of the script.
+struct ScriptGrain {
+  double radius, density;
+  double mass() const { return density * sphere_volume(radius); }
+};
+
+/// The smallest grain of an atom type, and the median by mass.
+struct Grains {
+  ScriptGrain smallest, median;
+  ScriptCommand where;
+};
+
+/// fix property/global.
+class ScriptProperty {
+ public:
+  explicit ScriptProperty(ScriptCommand where) : where_(std::move(where)) {}
+
+  const ScriptCommand& where() const { return where_; }
+  double scalar() const {
+    require_kind("scalar", "a value");
+    return where_.number(first, name());
+  }
+  double of_type(int type) const {
+    require_kind("atomtype", "a value for each atom type");
+    return where_.number(first + static_cast<std::size_t>(type) - 1,
+                         name() + " of type " + std::to_string(type));
+  }
+  double of_pair(int i, int j) const {
+    require_kind("atomtypepair", "the number of types and a value for each pair");
+    const int types = where_.integer(first, "the number of types");
+    if (i > types || j > types)
+      where_.fail(name() + " has no value for types " + std::to_string(i) + " and " +
+                  std::to_string(j) + ": list the pairs of all types");
+    const auto value = [&](int a, int b) {
+      return where_.number(first + static_cast<std::size_t>(types * (a - 1) + b),
+                           name() + " of types " + std::to_string(a) + " and " + std::to_string(b));
+    };
+    if (value(i, j) != value(j, i))
+      where_.fail(name() + " of types " + std::to_string(i) + " and " + std::to_string(j) +
+                  " differs from that of " + std::to_string(j) + " and " + std::to_string(i) +
+                  ": list a symmetric matrix");
+    return value(i, j);
+  }
+
+ private:
+  static constexpr std::size_t first = 6;  // word of the first value
+
+  const std::string& name() const { return where_.words[4]; }
+  /// LIGGGHTS accepts the kinds with and without "per".
+  void require_kind(const std::string& kind, const std::string& values) const {
+    const std::string& given = where_.word(5, "its kind");
+    const std::string full = kind == "scalar" ? kind : "per" + kind;
+    if (given != kind && given != full)
+      where_.fail(name() + " is of kind '" + given + "': write '" + full + "' and " + values);
+  }
+
+  ScriptCommand where_;
+};
+
+/// What a script of LIGGGHTS says of contacts, in its units.
+class ScriptCase {
+ public:
+  explicit ScriptCase(const std::vector<ScriptCommand>& commands) {
+    for (const ScriptCommand& command : commands) read(command);
+    for (const ScriptCommand& command : set_commands_) read_set(command);
+    for (const int type : template_types()) grains_.emplace(type, grains_of_templates(type));
+  }
+
+  const advice::SiUnits* units() const { return advice::find_si_units(units_); }
+  const std::string& unit_name() const { return units_; }
+  const std::optional<GranularModel>& pairs() const { return pairs_; }
+  const std::vector<WallOfScript>& walls() const { return walls_; }
+  const std::map<int, Grains>& grains() const { return grains_; }
+  const std::optional<double>& step() const { return step_; }
+  const std::optional<double>& gravity() const { return gravity_; }
+  const std::optional<double>& speed() const { return speed_; }
+
+  /// Null: the script has none.
+  const ScriptProperty* find(const std::string& name) const {
+    const auto found = properties_.find(name);
+    return found == properties_.end() ? nullptr : &found->second;
+  }
+  /// Throws std::runtime_error at the line of the model that needs it.
+  const ScriptProperty& need(const std::string& name, const GranularModel& model) const {
+    if (const ScriptProperty* found = find(name)) return *found;
+    model.where.fail("needs 'fix ID all property/global " + name + " ...': add this line");
+  }
+
+  /// Sizes of the command line, for types that the script leaves without.
+  void add_grains(const ScriptGrain& grain) {
+    for (const int type : created_types())
+      grains_.emplace(type, Grains{grain, grain, {"the command line", 0, {"--diameter"}, 0}});
+  }
+
+ private:
+  struct Template {
+    int type = 1;
+    double smallest = 0.0, median = 0.0, density = 0.0;
+    ScriptCommand where;
+  };
+
+  void read(const ScriptCommand& c) {
+    const std::string& name = c.words[0];
+    if (name == "units") units_ = c.word(1, "the name of the units");
+    if (name == "timestep") step_ = c.number(1, "the time step");
+    if (name == "create_atoms") created_.insert(c.integer(1, "the atom type"));
+    if (name == "set") set_commands_.push_back(c);
+    if (name == "pair_style") read_pair_style(c);
+    if (name == "fix" && c.has(3)) read_fix(c, c.words[3]);
+  }
+
+  void read_pair_style(const ScriptCommand& c) {
+    const std::size_t at = c.find("gran");
+    if (at == c.words.size()) {
+      if (c.word(1, "a style").rfind("hybrid", 0) == 0 || c.words[1] == "none") return;
+      c.fail("pair_style " + c.words[1] +
+             " is not evaluated: write it as 'pair_style gran model hertz tangential history "
+             "cohesion sjkr', the syntax of LIGGGHTS 3");
+    }
+    pairs_ = model_of(c);
+  }
+
+  static GranularModel model_of(const ScriptCommand& c) {
+    GranularModel model{c, {}};
+    model.normal = c.word(c.find("model") + 1, "'model' and its name");
+    if (const std::size_t at = c.find("cohesion"); c.has(at))
+      model.cohesion = c.word(at + 1, "the name of the cohesion model");
+    return model;
+  }
+
+  void read_fix(const ScriptCommand& c, const std::string& style) {
+    if (style == "property/global") {
+      properties_.insert_or_assign(c.word(4, "the name of the property"), ScriptProperty(c));
+    } else if (style == "particletemplate/sphere") {
+      read_template(c);
+    } else if (style.rfind("particledistribution/discrete", 0) == 0) {
+      read_distribution(c, style);
+    } else if (style.rfind("mesh/surface", 0) == 0) {
+      if (const std::size_t at = c.find("type"); c.has(at))
+        mesh_types_[c.words[1]] = c.integer(at + 1, "the type of the mesh");
+    } else if (style == "wall/gran") {
+      read_wall(c);
+    } else if (style.rfind("wall/gran/", 0) == 0) {
+      c.fail("fix " + style +
+             " is not evaluated: write it as 'fix ID all wall/gran model hertz tangential history "
+             "cohesion sjkr primitive type 1 zplane 0.0', the syntax of LIGGGHTS 3");
+    } else if (style == "gravity") {
+      gravity_ = c.number(4, "the acceleration");
+    } else if (style.rfind("insert/", 0) == 0) {
+      read_insertion(c);
+    }
+  }
+
+  void read_wall(const ScriptCommand& c) {
+    const GranularModel model = model_of(c);
+    if (const std::size_t at = c.find("primitive"); c.has(at)) {
+      walls_.push_back(
+          {c.words[1], c.integer(c.find("type", at) + 1, "the type of the wall"), model});
+      return;
+    }
+    const std::size_t meshes = c.find("meshes");
+    if (!c.has(meshes)) c.fail("has neither 'primitive' nor 'meshes': add the kind of the wall");
+    for (std::size_t k = meshes + 1; c.has(k) && mesh_types_.count(c.words[k]); k++)
+      walls_.push_back({c.words[k], mesh_types_[c.words[k]], model});
+  }
+
+  /// The fastest insertion is the speed of impacts.
+  void read_insertion(const ScriptCommand& c) {
+    const std::size_t at = c.find("vel");
+    if (!c.has(at + 1) || (c.words[at + 1] != "constant" && c.words[at + 1] != "uniform")) return;
+    double square = 0.0;
+    for (std::size_t k = at + 2; k < at + 5; k++) {
+      const double v = c.number(k, "a velocity");
+      square += v * v;
+    }
+    if (square > 0.0) speed_ = std::max(speed_.value_or(0.0), std::sqrt(square));
+  }
+
+  /// A distribution behind `at`: constant v; uniform low high; gaussian mu sigma, whose smallest is
+  /// two deviations below the mean. A basis, number or mass, may stand behind its name.
+  static std::pair<double, double> smallest_and_median(const ScriptCommand& c, std::size_t at) {
+    const std::string& kind = c.word(at, "a distribution");
+    const std::size_t k =
+        at + 1 + (c.has(at + 1) && (c.words[at + 1] == "number" || c.words[at + 1] == "mass"));
+    const double one = c.number(k, "a value of the distribution");
+    if (kind == "constant") return {one, one};
+    const double other = c.number(k + 1, "a value of the distribution");
+    if (kind == "uniform") return {one, 0.5 * (one + other)};
+    if (kind == "gaussian") {
+      if (one > 2.0 * other) return {one - 2.0 * other, one};
+      c.fail("a gaussian this wide has no smallest radius: use a mean above two deviations");
+    }
+    c.fail("the distribution '" + kind +
+           "' is not evaluated: use constant, uniform or gaussian for this check");
+  }
+
+  void read_template(const ScriptCommand& c) {
+    Template t;
+    t.where = c;
+    if (const std::size_t at = c.find("atom_type"); c.has(at))
+      t.type = c.integer(at + 1, "the atom type");
+    const std::size_t radius = c.find("radius"), density = c.find("density");
+    if (!c.has(radius) || !c.has(density))
+      c.fail("a template needs 'radius constant R' and 'density constant RHO': add both");
+    std::tie(t.smallest, t.median) = smallest_and_median(c, radius + 1);
+    t.density = smallest_and_median(c, density + 1).second;
+    require_size(c, t.smallest, t.density);
+    templates_.insert_or_assign(c.words[1], t);
+  }
+  static void require_size(const ScriptCommand& c, double radius, double density) {
+    if (!(radius > 0.0) || !(density > 0.0))
+      c.fail("radius and density must be greater than zero: correct them");
+  }
+
+  void read_distribution(const ScriptCommand& c, const std::string& style) {
+    const bool by_number = style.find("numberbased") != std::string::npos;
+    const int count = c.integer(5, "the number of templates");
+    for (std::size_t k = 6; k < 6 + 2 * static_cast<std::size_t>(std::max(count, 0)); k += 2) {
+      const auto found = templates_.find(c.word(k, "the name of a template"));
+      if (found == templates_.end()) continue;
+      const Template& t = found->second;
+      const double weight = c.number(k + 1, "the weight of a template");
+      shares_[c.words[k]] = by_number ? weight * ScriptGrain{t.median, t.density}.mass() : weight;
+    }
+  }
+
+  void read_set(const ScriptCommand& c) {
+    const std::size_t diameter = c.find("diameter"), density = c.find("density");
+    if (!c.has(diameter) || !c.has(density)) return;
+    const ScriptGrain grain{0.5 * c.number(diameter + 1, "the diameter"),
+                            c.number(density + 1, "the density")};
+    require_size(c, grain.radius, grain.density);
+    const std::set<int> types =
+        c.words[1] == "type" ? std::set<int>{c.integer(2, "the atom type")} : created_types();
+    for (const int type : types) {
+      Grains& g = grains_.emplace(type, Grains{grain, grain, c}).first->second;
+      if (grain.radius < g.smallest.radius) g.smallest = grain;
+    }
+  }
+
+  /// Of create_atoms; else all that have a Young's modulus, and are no wall's.
+  std::set<int> created_types() const {
+    if (!created_.empty()) return created_;
+    std::set<int> types;
+    const ScriptProperty* modulus = find("youngsModulus");
+    const int count = modulus ? static_cast<int>(modulus->where().words.size()) - 6 : 1;
+    for (int type = 1; type <= count; type++)
+      if (std::none_of(walls_.begin(), walls_.end(),
+                       [type](const WallOfScript& wall) { return wall.type == type; }))
+        types.insert(type);
+    return types.empty() ? std::set<int>{1} : types;
+  }
+
+  std::set<int> template_types() const {
+    std::set<int> types;
+    for (const auto& [name, t] : templates_) types.insert(t.type);
+    return types;
+  }
+  /// Median by the shares of mass of the distribution; templates in none have equal shares.
+  Grains grains_of_templates(int type) const {
+    std::vector<std::pair<Template, double>> all;
+    double total = 0.0;
+    for (const auto& [name, t] : templates_) {
+      if (t.type != type) continue;
+      const auto share = shares_.find(name);
+      all.emplace_back(t, share != shares_.end() ? share->second : shares_.empty() ? 1.0 : 0.0);
+      total += all.back().second;
+    }
+    std::sort(all.begin(), all.end(),
+              [](const auto& a, const auto& b) { return a.first.median < b.first.median; });
+    double passed = 0.0;
+    const Template* median = &all.front().first;
+    for (const auto& [t, share] : all) {
+      median = &t;
+      if ((passed += share) >= 0.5 * total) break;
+    }
+    const auto smallest = std::min_element(
+        all.begin(), all.end(),
+        [](const auto& a, const auto& b) { return a.first.smallest < b.first.smallest; });
+    return {{smallest->first.smallest, smallest->first.density},
+            {median->median, median->density},
+            smallest->first.where};
+  }
+
+  std::string units_ = "lj";
+  std::optional<GranularModel> pairs_;
+  std::vector<WallOfScript> walls_;
+  std::map<std::string, ScriptProperty> properties_;
+  std::map<std::string, int> mesh_types_;
+  std::map<std::string, Template> templates_;
+  std::map<std::string, double> shares_;
+  std::map<int, Grains> grains_;
+  std::set<int> created_;
+  std::vector<ScriptCommand> set_commands_;
+  std::optional<double> step_, gravity_, speed_;
+};
+
+}  // namespace cohesion::tools

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "script_expression.h"
+
+namespace cohesion::tools {
+
+/// A command of a script, its variables replaced by their values where these are known.
+struct ScriptCommand {
+  std::string file;
+  int line = 0;  ///< of its first word
+  std::vector<std::string> words;
+  int last_line = 0;
+
+  std::string place() const { return file + ':' + std::to_string(line); }
+
+  /// Throws std::runtime_error with the place.
+  [[noreturn]] void fail(const std::string& what_and_cure) const {
+    throw std::runtime_error(place() + ": " + what_and_cure);
+  }
+  bool has(std::size_t k) const { return k < words.size(); }
+  const std::string& word(std::size_t k, const std::string& what) const {
+    if (!has(k)) fail("'" + words.front() + "' ends before " + what + ": complete the line");
+    return words[k];
+  }
+  double number(std::size_t k, const std::string& what) const {
+    const std::string& text = word(k, what);
+    if (const auto value = number_of(text)) return *value;
+    if (const std::size_t at = text.find('$'); at != std::string::npos)
+      fail("the value of the variable '" + variable_name(text, at) + "' for " + what +
+           " is not known: specify it with --var " + variable_name(text, at) + " VALUE");
+    fail("'" + text + "' is no number for " + what + ": write a number");
+  }
+  int integer(std::size_t k, const std::string& what) const {
+    const double value = number(k, what);
+    if (value != std::floor(value) || std::abs(value) > 1e9)
+      fail("'" + words[k] + "' is no whole number for " + what + ": write a whole number");
+    return static_cast<int>(value);
+  }
+  /// The place of a word from `from` on; the number of words: there is none.
+  std::size_t find(const std::string& text, std::size_t from = 0) const {
+    while (from < words.size() && words[from] != text) from++;
+    return std::min(from, words.size());
+  }
+
+  static std::optional<double> number_of(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value)) return {};
+    return value;
+  }
+  /// Of the variable whose $ is at `at`.
+  static std::string variable_name(const std::string& text, std::size_t at) {
+    if (text[at + 1] != '{') return text.substr(at + 1, 1);
+    const std::size_t close = text.find('}', at);
+    return text.substr(at + 2, close == std::string::npos ? close : close - at - 2);
+  }
+};
+
+/// Reads the commands of a script and of the files that it includes: comments, continued lines,
+/// quotes, and variables of the styles index, string, loop and equal.
+class ScriptReader {
+ public:
+  /// given: values of variables, which the script does not change.
+  explicit ScriptReader(const std::map<std::string, std::string>& given)
+      : values_(given), fixed_(given) {}
+
+  /// Throws std::runtime_error when a file cannot be read.
+  const std::vector<ScriptCommand>& read(const std::string& file) {
+    read_file(file, "the script");
+    return commands_;
+  }
+
+ private:
+  static constexpr int deepest_include = 20;
+
+  void read_file(const std::string& file, const std::string& what) {
+    std::ifstream stream(file);
+    if (!stream)
+      throw std::runtime_error(what + " '" + file + "' cannot be read: check its name and folder");
+    std::string text, whole;
+    int line = 0, first = 0;
+    while (std::getline(stream, text)) {
+      line++;
+      if (!text.empty() && text.back() == '\r') text.pop_back();
+      if (whole.empty()) first = line;
+      whole += without_comment(text);
+      const std::size_t last = whole.find_last_not_of(" \t");
+      if (last != std::string::npos && whole[last] == '&') {
+        whole = whole.substr(0, last) + ' ';
+        continue;
+      }
+      add({file, first, words_of(whole), line});
+      whole.clear();
+    }
+    add({file, first, words_of(whole), line});
+  }
+
+  static std::string without_comment(const std::string& text) {
+    char quote = 0;
+    for (std::size_t k = 0; k < text.size(); k++) {
+      if (quote ? text[k] == quote : text[k] == '"' || text[k] == '\'') quote = quote ? 0 : text[k];
+      if (text[k] == '#' && !quote) return text.substr(0, k);
+    }
+    return text;
+  }
+
+  /// Words; those in quotes are one, without the quotes.
+  static std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words;
+    std::size_t k = 0;
+    while ((k = text.find_first_not_of(" \t", k)) != std::string::npos) {
+      const bool quoted = text[k] == '"' || text[k] == '\'';
+      const std::size_t begin = quoted ? k + 1 : k;
+      const std::size_t end = quoted ? text.find(text[k], begin) : text.find_first_of(" \t", begin);
+      words.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+      if (end == std::string::npos) break;
+      k = quoted ? end + 1 : end;
+    }
+    return words;
+  }
+
+  void add(ScriptCommand command) {
+    if (command.words.empty()) return;
+    for (std::string& word : command.words) word = substituted(word);
+    if (command.words[0] == "variable") set_variable(command);
+    if (command.words[0] == "include") {
+      include(command);
+      return;
+    }
+    commands_.push_back(std::move(command));
+  }
+
+  /// Relative to the folder of the script, or to that of the user.
+  void include(const ScriptCommand& command) {
+    const std::string& name = command.word(1, "the name of a file");
+    if (++depth_ > deepest_include) command.fail("files include each other: remove this line");
+    const std::size_t folder = command.file.find_last_of('/');
+    const std::string beside =
+        folder == std::string::npos ? name : command.file.substr(0, folder + 1) + name;
+    read_file(name[0] != '/' && std::ifstream(beside) ? beside : name,
+              command.place() + ": the file");
+    depth_--;
+  }
+
+  void set_variable(const ScriptCommand& command) {
+    if (command.words.size() < 4) return;
+    const std::string &name = command.words[1], &style = command.words[2];
+    if (fixed_.count(name)) return;
+    if (style == "equal") {
+      std::string expression;
+      for (std::size_t k = 3; k < command.words.size(); k++) expression += command.words[k] + ' ';
+      const auto value =
+          ScriptExpression(expression, [this](const std::string& other) {
+            const auto found = values_.find(other);
+            return found == values_.end() ? std::nullopt : ScriptCommand::number_of(found->second);
+          }).value();
+      values_.erase(name);
+      if (value) values_[name] = digits_of(*value);
+    } else if (style == "index") {
+      values_.emplace(name, command.words[3]);
+    } else if (style == "string") {
+      values_[name] = command.words[3];
+    } else if (style == "loop") {
+      values_.emplace(name, command.words.size() > 4 ? command.words[3] : "1");
+    } else {
+      values_.erase(name);
+    }
+  }
+
+  static std::string digits_of(double value) {
+    std::ostringstream text;
+    text.precision(17);
+    text << value;
+    return text.str();
+  }
+
+  /// Unknown variables stay as they are.
+  std::string substituted(const std::string& text) const {
+    std::string result;
+    for (std::size_t k = 0; k < text.size(); k++) {
+      if (text[k] != '$' || k + 1 == text.size()) {
+        result += text[k];
+        continue;
+      }
+      const std::string name = ScriptCommand::variable_name(text, k);
+      const std::size_t length = text[k + 1] == '{' ? name.size() + 3 : 2;
+      const auto value = values_.find(name);
+      result += value == values_.end() ? text.substr(k, length) : value->second;
+      k += length - 1;
+    }
+    return result;
+  }
+
+  std::map<std::string, std::string> values_, fixed_;
+  std::vector<ScriptCommand> commands_;
+  int depth_ = 0;
+};
+
+}  // namespace cohesion::tools

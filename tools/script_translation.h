@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "advice/integrated_escape.h"
+#include "contact/jkr_spring_dashpot.h"
+#include "powder/grain_contact.h"
+#include "script_report.h"
+
+namespace cohesion::tools {
+
+/// What a translated script keeps of sjkr and sjkr2, for the median grains.
+struct Translation {
+  bool keeps_velocity = false;  ///< the escape velocity; else the pull-off force
+  std::string law = "hamaker";  ///< or jkr
+  std::vector<double> cutoffs;  ///< H_cut and H_out, in the units of the script
+
+  hamaker::HamakerParameters hamaker(double constant) const {
+    return {constant, cutoffs.at(0), cutoffs.at(1)};
+  }
+};
+
+/// The strength of the law of `t` that keeps what is asked of this contact: Hamaker constant, or
+/// surface energy. Throws std::runtime_error where sjkr is not in Hertz's contact.
+inline double translated_strength(const ScriptContact& c, const Translation& t) {
+  if (!c.is_hertz() || (t.law == "jkr" && c.model().normal != "hertz"))
+    c.model().where.fail("'model " + c.model().normal + "' with cohesion " + c.model().cohesion +
+                         (c.is_hertz() ? " has no moduli for JKR: write 'model hertz', or use "
+                                         "'--law hamaker'"
+                                       : " has no pull-off force to keep: write 'model hertz'"));
+  if (c.strength() == 0.0) return 0.0;
+  const double radius = c.pair().reduced_radius(), force = c.pull_off_force();
+  const bool is_jkr = t.law == "jkr";
+  const double of_force = is_jkr ? force / contact::JkrSpringDashpot::pull_off_force(
+                                               radius, contact::work_of_adhesion(1.0))
+                                 : powder::hamaker_of_pull_off(force, radius, t.cutoffs.at(0));
+  if (!t.keeps_velocity) return of_force;
+  const double speed = c.escape_velocity();
+  if (!(speed > 0.0) || !std::isfinite(speed))
+    c.model().where.fail(
+        "no finite escape velocity to keep: use a restitution above 0 and below 1");
+  const auto escape = [&](double strength) {
+    return is_jkr ? c.jkr_pair(strength).escape_velocity()
+                  : advice::escape_velocity(c.hertz(), c.hamaker_adhesion(t.hamaker(strength)));
+  };
+  double low = of_force, high = of_force;
+  while (escape(low) > speed) low *= 0.5;
+  while (escape(high) < speed) high *= 2.0;
+  while (high > low * (1.0 + 1e-6)) {
+    const double middle = std::sqrt(low * high);
+    (escape(middle) < speed ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Writes a script with the properties and models of this package in place of sjkr and sjkr2.
+class TranslatedScript {
+ public:
+  TranslatedScript(const std::string& file, const ScriptCase& script, const Translation& t)
+      : file_(file), script_(script), translation_(t) {}
+
+  /// Walls behind pairs: a wall of a grain's type has the strength of the pair.
+  void add(const ContactPairOfTypes& contact) {
+    if (!contact.median.is_area()) return;
+    models_.push_back(contact.model);
+    const bool is_new = !strengths_.count({contact.i, contact.j});
+    const double strength = translated_strength(contact.median, translation_);
+    if (is_new) {
+      strengths_[{contact.i, contact.j}] = strengths_[{contact.j, contact.i}] = strength;
+      return;
+    }
+    const double used = strengths_[{contact.i, contact.j}];
+    if (std::abs(used - strength) > 1e-3 * strength)
+      warnings_.push_back(contact.model->where.place() + ": " + contact.title + " would need " +
+                          property() + ' ' + text("%.4g", strength) + " and shares " +
+                          text("%.4g", used) + " with types " + std::to_string(contact.i) +
+                          " and " + std::to_string(contact.j) +
+                          ": assign the wall an atom type of its own");
+  }
+
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  void write(const std::string& target) const {
+    if (models_.empty())
+      throw std::runtime_error(file_ + ": has no cohesion sjkr or sjkr2 to translate");
+    std::vector<std::string> lines = lines_of(file_);
+    const ScriptCommand& density =
+        script_.need(ScriptContact::area_property, *models_.front()).where();
+    std::set<int> changed;
+    for (const GranularModel* model : models_)
+      if (changed.insert(model->where.line).second)
+        replace(lines, model->where, with_law(model->where, joined(lines, model->where)));
+    replace(lines, density, properties(density));
+    std::ofstream stream(target);
+    for (const std::string& line : lines)
+      if (line != removed) stream << line << '\n';
+    if (!stream.flush())
+      throw std::runtime_error("'" + target + "' cannot be written: check its folder");
+  }
+
+ private:
+  inline static const std::string removed = "\r";
+
+  const char* property() const {
+    return translation_.law == "jkr" ? "surfaceEnergy" : "hamakerConstant";
+  }
+
+  static std::vector<std::string> lines_of(const std::string& file) {
+    std::vector<std::string> lines;
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+  }
+
+  /// The lines of a command, as they are written.
+  std::string joined(const std::vector<std::string>& lines, const ScriptCommand& c) const {
+    if (c.file != file_)
+      c.fail("this line is in an included file, which is not translated: move it into '" + file_ +
+             "'");
+    std::string all;
+    for (int k = c.line; k <= c.last_line; k++)
+      all += (k > c.line ? "\n" : "") + lines[static_cast<std::size_t>(k) - 1];
+    return all;
+  }
+  void replace(std::vector<std::string>& lines, const ScriptCommand& c,
+               const std::string& text) const {
+    joined(lines, c);
+    for (int k = c.line; k <= c.last_line; k++) lines[static_cast<std::size_t>(k) - 1] = removed;
+    lines[static_cast<std::size_t>(c.line) - 1] = text;
+  }
+
+  std::string with_law(const ScriptCommand& c, const std::string& line) const {
+    static const std::regex model(R"((cohesion(?:\s|&)+)sjkr2?(?!\S))"),
+        reduce(R"(\s+tangential_reduce\s+(?:on|off)(?!\S))");
+    if (!std::regex_search(line, model))
+      c.fail("its cohesion is the value of a variable: write 'cohesion sjkr' for a translation");
+    return std::regex_replace(std::regex_replace(line, model, "$1" + translation_.law), reduce, "");
+  }
+
+  std::string properties(const ScriptCommand& density) const {
+    const int types = density.integer(6, "the number of types");
+    std::string line =
+        std::string("# ") + (translation_.keeps_velocity ? "Escape velocity" : "Pull-off force") +
+        " of the median grains with " + models_.front()->cohesion + "\nfix " + density.words[1] +
+        " all property/global " + property() + " peratomtypepair " + std::to_string(types);
+    for (int i = 1; i <= types; i++)
+      for (int j = 1; j <= types; j++) {
+        const auto found = strengths_.find({i, j});
+        line += ' ' + (found == strengths_.end() ? "0" : text("%.8g", found->second));
+      }
+    if (translation_.law == "jkr") return line;
+    const std::string fix = "\nfix " + density.words[1];
+    return line + fix + "_cut all property/global hamakerSurfaceCutoff scalar " +
+           text("%.8g", translation_.cutoffs.at(0)) + fix +
+           "_out all property/global hamakerOuterCutoff scalar " +
+           text("%.8g", translation_.cutoffs.at(1));
+  }
+
+  static std::string text(const char* format, double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, format, value);
+    return digits;
+  }
+
+  std::string file_;
+  const ScriptCase& script_;
+  Translation translation_;
+  std::vector<const GranularModel*> models_;
+  std::map<std::pair<int, int>, double> strengths_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace cohesion::tools

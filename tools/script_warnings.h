@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "advice/contact_advice.h"
+#include "advice/elastic_pair.h"
+#include "advice/known_materials.h"
+#include "script_report.h"
+
+namespace cohesion::tools {
+
+/// Finds properties of a script that hold another quantity or unit, and contacts that do not do
+/// what they are named for. Each warning has place, finding and remedy.
+class ScriptWarnings {
+ public:
+  ScriptWarnings(const ScriptCase& script, const ContactConditions& conditions)
+      : script_(script), conditions_(conditions) {}
+
+  const std::vector<std::string>& texts() const { return texts_; }
+
+  /// Of the script as a whole.
+  void check_script() {
+    for (const auto& [type, grains] : script_.grains()) check_grains(type, grains);
+    for (const CohesionOfScript& c : cohesions_of_scripts) check_use(c);
+    if (script_.pairs()) check_scaling(*script_.pairs());
+    for (const WallOfScript& wall : script_.walls()) check_scaling(wall.model);
+    for (const WallOfScript& wall : script_.walls())
+      if (script_.pairs() && wall.model.cohesion != script_.pairs()->cohesion)
+        add(wall.model.where, "wall '" + wall.id + "' has cohesion " + wall.model.cohesion +
+                                  " and pair_style has cohesion " + script_.pairs()->cohesion +
+                                  ": write the same cohesion in both unless this is intended");
+  }
+
+  void check_contact(const ContactPairOfTypes& pair) {
+    check_modulus(pair);
+    const ScriptContact& c = pair.smallest;
+    if (c.cohesion().property && c.strength() > 0.0) {
+      check_magnitude(pair);
+      check_strength(pair);
+    }
+    check_overlap(pair);
+    if (!(conditions_.step > 0.0)) return;
+    const double steps = c.contact_time(conditions_.speed) / conditions_.step;
+    const double needed = steps_needed(c);
+    if (steps < needed)
+      add(pair.model->where, pair.title + ": " + digits(steps) + " time steps per contact, below " +
+                                 digits(needed) + ": use a timestep of at most " +
+                                 digits(conditions_.step * steps / needed));
+  }
+
+ private:
+  /// Steps per contact of the engine's models, and of the scheme exact of this package.
+  static double steps_needed(const ScriptContact& c) {
+    if (c.is_area() || !c.cohesion().property) return advice::sampled_scheme.steps_for_warning;
+    return c.is_hertz() ? advice::steps_per_integrated_contact
+                        : advice::exact_scheme_one_pass.steps_for_warning;
+  }
+
+  /// Bond number below which gravity separates any contact.
+  static constexpr double negligible_bond_number = 0.1;
+  /// Energy densities below this are those of no bulk contact, [J/m^3].
+  static constexpr double least_energy_density = 1e3;
+  /// Young's moduli below this are those of no solid, [Pa].
+  static constexpr double least_modulus = 1e4;
+  static constexpr double largest_radius = 0.1;  // [m]
+
+  void check_grains(int type, const Grains& grains) {
+    const advice::SiUnits* units = script_.units();
+    if (!units) return;
+    const std::string of_type = " of type " + std::to_string(type);
+    const double density = units->density() * grains.smallest.density;
+    if (density < advice::least_solid)
+      add(grains.where, "density " + digits(density) + " kg/m3" + of_type +
+                            " is that of no solid: write it in kg/m3 (1 g/cm3 is 1000)");
+    if (density > advice::largest_solid)
+      add(grains.where, "density " + digits(density) + " kg/m3" + of_type +
+                            " is above that of any solid: check its unit");
+    const double radius = units->length * grains.median.radius;
+    if (radius >= largest_radius)
+      add(grains.where, "radius " + digits(radius) + " m" + of_type +
+                            " is that of no powder: write it in the length of 'units " +
+                            script_.unit_name() + "', 1 mm is " + digits(1e-3 / units->length));
+  }
+
+  void check_scaling(const GranularModel& model) {
+    for (const char* keyword : {"material_stiffness", "material_modulus"})
+      if (model.has_on(keyword))
+        add(model.where, std::string("'") + keyword +
+                             " on' scales the attraction, which is evaluated without it: read the "
+                             "table of liggghts-cohesion for this contact");
+  }
+
+  /// A strength that no model reads.
+  void check_use(const CohesionOfScript& c) {
+    const ScriptProperty* property = c.property ? script_.find(c.property) : nullptr;
+    if (!property || warned_.count(c.property)) return;
+    const auto reads = [&](const GranularModel& model) {
+      for (const CohesionOfScript& other : cohesions_of_scripts)
+        if (other.property && other.property == std::string(c.property) &&
+            model.cohesion == other.name)
+          return true;
+      return false;
+    };
+    bool is_read = script_.pairs() && reads(*script_.pairs());
+    for (const WallOfScript& wall : script_.walls()) is_read = is_read || reads(wall.model);
+    if (is_read) return;
+    warned_.insert(c.property);
+    add(property->where(), std::string(c.property) + " is not used: add 'cohesion " + c.name +
+                               "' to pair_style and walls, or remove this line");
+  }
+
+  /// Of impacts at a speed that script or command line have.
+  void check_overlap(const ContactPairOfTypes& pair) {
+    if (conditions_.is_speed_assumed) return;
+    const double overlap = pair.median.overlap(conditions_.speed);
+    if (overlap > advice::overlap_for_warning)
+      add(pair.model->where,
+          pair.title + ": impacts press grains by " + digits(overlap) +
+              " of the diameter: increase youngsModulus or kn until this is below " +
+              digits(advice::overlap_for_warning));
+  }
+
+  void check_modulus(const ContactPairOfTypes& pair) {
+    const ScriptProperty* property = script_.find("youngsModulus");
+    const advice::SiUnits* units = script_.units();
+    if (!property || !units) return;
+    const bool reads = pair.model->normal == "hertz" || pair.model->normal == "hooke";
+    for (const int type : {pair.i, pair.j}) {
+      if (!reads || !warned_.insert("youngsModulus" + std::to_string(type)).second) continue;
+      const double modulus =
+          units->density() * std::pow(units->length / units->time, 2) * property->of_type(type);
+      if (modulus < least_modulus)
+        add(property->where(), "youngsModulus " + digits(modulus) + " Pa of type " +
+                                   std::to_string(type) +
+                                   " is that of no solid: write it in Pa (1 GPa is 1e9)");
+    }
+  }
+
+  /// Above those of any material.
+  void check_magnitude(const ContactPairOfTypes& pair) {
+    const std::string name = pair.model->cohesion;
+    const double strength = pair.smallest.strength();
+    std::string text;
+    if (name == "hamaker") text = advice::above_hamaker_constants(strength, script_.units());
+    if (name == "jkr") text = advice::above_surface_energies(strength, script_.units());
+    if (text.empty()) return;
+    add(place(pair), pair.title + ": " + text.substr(0, text.find_last_not_of("; ") + 1));
+  }
+
+  void check_strength(const ContactPairOfTypes& pair) {
+    const ScriptContact& c = pair.smallest;
+    const double bond = c.bond_number(conditions_.gravity);
+    const std::string cohesion = pair.title + ": cohesion " + pair.model->cohesion;
+    if (c.is_area() && !c.is_hertz()) {
+      if (bond == 0.0)
+        add(pair.model->where, cohesion + " has no pull-off force with model " +
+                                   pair.model->normal +
+                                   ", whose spring exceeds it at every overlap: use model hertz, "
+                                   "or 'cohesion hamaker'");
+      else
+        add(place(pair), cohesion + " exceeds the spring at every overlap and spheres collapse: " +
+                             "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
+      return;
+    }
+    if (c.overlap_at_pull_off() > largest_linear_overlap)
+      add(place(pair), cohesion + " is strongest at an overlap of " +
+                           digits(c.overlap_at_pull_off()) +
+                           " of the reduced radius, and values are those of small overlaps: " +
+                           "decrease cohesionEnergyDensity or increase youngsModulus");
+    if (bond >= negligible_bond_number) return;
+    std::string text = cohesion + " has a Bond number of " + digits(bond) +
+                       ", too small to hold the smallest grain";
+    if (c.is_area())
+      text += area_remedy(c);
+    else
+      text += ": increase " + std::string(c.cohesion().property) + " by the factor " +
+              digits(1.0 / bond) + " for a Bond number of 1";
+    add(place(pair), text);
+  }
+  static constexpr double largest_linear_overlap = 0.1;  // of R*
+
+  std::string area_remedy(const ScriptContact& c) const {
+    const advice::SiUnits* units = script_.units();
+    std::string text;
+    const double density =
+        units ? c.strength() * units->energy() / std::pow(units->length, 3) : least_energy_density;
+    if (density < least_energy_density)
+      text += "; " + digits(density) +
+              " J/m3 is in the range of surface energies in J/m2, for which 'cohesion jkr' of this "
+              "package has the property surfaceEnergy";
+    return text + ": use cohesionEnergyDensity " +
+           digits(c.energy_density_of(1.0, conditions_.gravity)) +
+           " for a Bond number of 1 (it grows with the third power)";
+  }
+
+  /// Of the strength.
+  const ScriptCommand& place(const ContactPairOfTypes& pair) const {
+    return script_.need(pair.smallest.cohesion().property, *pair.model).where();
+  }
+  void add(const ScriptCommand& where, const std::string& text) {
+    texts_.push_back(where.place() + ": " + text);
+  }
+  static std::string digits(double value) {
+    std::ostringstream text;
+    text.precision(3);
+    text << value;
+    return text.str();
+  }
+
+  const ScriptCase& script_;
+  ContactConditions conditions_;
+  std::vector<std::string> texts_;
+  std::set<std::string> warned_;
+};
+
+}  // namespace cohesion::tools
