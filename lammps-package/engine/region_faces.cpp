@@ -23,6 +23,11 @@ static constexpr double FAR = 1e19;
 /// The nearest point of a contact of LAMMPS, as seen from the centre of a particle.
 static Vector3 to_surface(const Region::Contact& c) { return {-c.delx, -c.dely, -c.delz}; }
 
+/// Towards the particle; exact along an axis, so that flat faces act as planes do to the last bit.
+static Vector3 normal_of(const Vector3& separation, double distance) {
+  return {-separation.x / distance, -separation.y / distance, -separation.z / distance};
+}
+
 RegionFaces::RegionFaces(LAMMPS* lmp, const std::string& where, const std::string& id)
     : lmp_(lmp), id_(id), region_(found()) {
   require_static(where);
@@ -86,7 +91,7 @@ void RegionFaces::require_true_normals(const std::string& where) const {
     if (low[d] <= -FAR) return (high[d] >= FAR ? 0.0 : high[d]) - part * size;
     return low[d] + part * std::min(high[d] - low[d], size);
   };
-  for (int k = 1; k <= 60; k++) {
+  for (int k = 1; k <= 200; k++) {
     const auto part = [k](double step) { return k * step - std::floor(k * step); };
     const Vector3 at{along(0, part(0.8191725134)), along(1, part(0.6710436067)),
                      along(2, part(0.5497004779))};
@@ -95,7 +100,9 @@ void RegionFaces::require_true_normals(const std::string& where) const {
     find(at, {}, FAR, here.data());
     for (int face = 0; face < count_; face++) {
       if (!(here[face].distance < FAR)) continue;
-      find(at + 0.5 * here[face].separation, {}, FAR, half_way.data());
+      const Vector3 nearer = at + 0.5 * here[face].separation;
+      if (!region_->inside(nearer.x, nearer.y, nearer.z)) continue;  // of an end wider than the end
+      find(nearer, {}, FAR, half_way.data());
       const double error = half_way[face].distance - 0.5 * here[face].distance;
       if (!(std::abs(error) <= 1e-9 * size))
         lmp_->error->all(FLERR, where + ": region " + id_ +
@@ -193,7 +200,7 @@ bool RegionFaces::is_far(const Vector3& centre, const WallState& now, double rea
 Vector3 RegionFaces::normal_before(const Vector3& centre, const Vector3& velocity,
                                    const WallPoint& point, const WallState& now,
                                    double last_step) const {
-  const Vector3 normal = (-1.0 / point.distance) * point.separation;
+  const Vector3 normal = normal_of(point.separation, point.distance);
   const Vector3 way = last_step * (velocity - now.velocity);
   const Vector3 at = in_region(centre - way, now);
   const int n = region_->surface(at.x, at.y, at.z, 2.0 * (point.distance + norm(way)));
@@ -202,7 +209,7 @@ Vector3 RegionFaces::normal_before(const Vector3& centre, const Vector3& velocit
   for (int k = 0; k < n; k++) {
     const Region::Contact& c = region_->contact[k];
     if (!(c.r > 0.0)) continue;
-    const Vector3 other = (-1.0 / c.r) * to_surface(c);
+    const Vector3 other = normal_of(to_surface(c), c.r);
     if (!(dot(other, normal) > largest)) continue;
     largest = dot(other, normal);
     before = other;
@@ -217,7 +224,7 @@ RegionFaces::RelativeWallMotion RegionFaces::relative_motion(const Vector3& cent
                                                              double last_step) const {
   RelativeWallMotion motion{{point.separation, point.velocity - velocity}, now.acceleration};
   if (last_step == 0.0) return motion;
-  const Vector3 normal = (-1.0 / point.distance) * point.separation;
+  const Vector3 normal = normal_of(point.separation, point.distance);
   const Vector3 turned = normal - normal_before(centre, velocity, point, now, last_step);
   const Vector3 turning = (dot(velocity - now.velocity, turned) / last_step) * normal;
   motion.relative.velocity += (0.5 * last_step) * turning;
