@@ -29,7 +29,7 @@ static Vector3 normal_of(const Vector3& separation, double distance) {
 }
 
 RegionFaces::RegionFaces(LAMMPS* lmp, const std::string& where, const std::string& id)
-    : lmp_(lmp), id_(id), region_(found()) {
+    : lmp_(lmp), id_(id), region_(found()), narrowest_(INFINITE) {
   require_static(where);
   is_open_ = region_->openflag != 0;
   is_cone_ = std::string(region_->style) == "cone";
@@ -38,7 +38,7 @@ RegionFaces::RegionFaces(LAMMPS* lmp, const std::string& where, const std::strin
   count_ = region_->interior || is_open_ ? region_->cmax + is_open_ : 1;
   place_ = measured_place();
   require_aperiodic(where);
-  require_true_normals(where);
+  sample_faces(where);
 }
 
 Region* RegionFaces::found() const { return engine_api::region_of(lmp_->domain, id_); }
@@ -58,6 +58,8 @@ void RegionFaces::require_static(const std::string& where) const {
   if (region_->dynamic_check())
     lmp_->error->all(FLERR, of + " moves or changes its shape by variables; define it at rest, and "
                                  "move it by wiggle or translate of this fix");
+  if (region_->openflag && !region_->interior)
+    lmp_->error->all(FLERR, of + " with open faces acts on both sides; define it with side in");
   if (region_->openflag && !is_of({"cone", "cylinder"}))
     lmp_->error->all(FLERR, of + " of style " + style +
                                 " has open faces, at whose corners LAMMPS finds one of two edges; "
@@ -78,8 +80,9 @@ void RegionFaces::require_aperiodic(const std::string& where) const {
   }
 }
 
-/// LAMMPS 2021 to 2025 has the end faces of a cone along y point along z.
-void RegionFaces::require_true_normals(const std::string& where) const {
+/// Smallest radius of curvature, and a check of LAMMPS, which has the end faces of a cone along y
+/// point along z.
+void RegionFaces::sample_faces(const std::string& where) {
   if (!region_->bboxflag) return;
   const double low[] = {region_->extent_xlo, region_->extent_ylo, region_->extent_zlo};
   const double high[] = {region_->extent_xhi, region_->extent_yhi, region_->extent_zhi};
@@ -91,13 +94,19 @@ void RegionFaces::require_true_normals(const std::string& where) const {
     if (low[d] <= -FAR) return (high[d] >= FAR ? 0.0 : high[d]) - part * size;
     return low[d] + part * std::min(high[d] - low[d], size);
   };
-  for (int k = 1; k <= 200; k++) {
-    const auto part = [k](double step) { return k * step - std::floor(k * step); };
-    const Vector3 at{along(0, part(0.8191725134)), along(1, part(0.6710436067)),
-                     along(2, part(0.5497004779))};
+  // Anywhere, and along three lines, of which one is beside the axis of a cylinder or cone.
+  constexpr int PLACES = 200;
+  for (int k = 0; k < 4 * PLACES; k++) {
+    const auto part = [k](int d, double step) {
+      if (k >= 3 * PLACES) return k * step - std::floor(k * step);
+      return k / PLACES == d ? (k % PLACES + 0.5) / PLACES : 0.501;
+    };
+    const Vector3 at{along(0, part(0, 0.8191725134)), along(1, part(1, 0.6710436067)),
+                     along(2, part(2, 0.5497004779))};
     if (!region_->inside(at.x, at.y, at.z)) continue;
     std::vector<WallPoint> here(count_), half_way(count_);
     find(at, {}, FAR, here.data());
+    narrowest_ = std::min(narrowest_, curvature_radius_);
     for (int face = 0; face < count_; face++) {
       if (!(here[face].distance < FAR)) continue;
       const Vector3 nearer = at + 0.5 * here[face].separation;
@@ -175,6 +184,10 @@ void RegionFaces::find(const Vector3& centre, const WallState& now, double reach
     points[face] = {c.r, to_surface(c), now.velocity};
     if (c.radius != 0.0)
       curvature_radius_ = std::min(curvature_radius_, curvature_per_number_ * std::abs(c.radius));
+  }
+  if (is_open_ && !is_inside && n > 0) {  // LAMMPS finds one point of the rim of an open end
+    curvature_radius_ = narrowest_;
+    is_hollow_ = true;
   }
   if (is_cone_ && is_inside) drop_edges_of_ends(points);
 }

@@ -31,6 +31,10 @@ class RegionFaces {
   double place() const { return place_; }
   /// Finds the region again as a run begins. Stops LAMMPS if it is gone, or another one.
   void look_up(const std::string& where);
+  /// The same within a run, as a step begins.
+  void follow(const std::string& where) {
+    if (found() != region_) look_up(where);
+  }
 
   /// Sets points[face] for all count() faces. A face that is `reach` [length] or farther away has
   /// an infinite distance; behind the region all distances are negative.
@@ -70,7 +74,7 @@ class RegionFaces {
   Region* found() const;
   void require_static(const std::string& where) const;
   void require_aperiodic(const std::string& where) const;
-  void require_true_normals(const std::string& where) const;
+  void sample_faces(const std::string& where);
   cohesion::Vector3 in_region(const cohesion::Vector3& centre, const WallState& now) const;
   cohesion::Vector3 normal_before(const cohesion::Vector3& centre,
                                   const cohesion::Vector3& velocity, const WallPoint& point,
@@ -87,6 +91,7 @@ class RegionFaces {
   bool is_cone_ = false;
   double curvature_per_number_ = 0.5;  // radius of curvature over LAMMPS' number of a contact
   double place_ = 0.0;
+  double narrowest_;  // radius of curvature of an open region, [length]
   mutable double curvature_radius_ = 0.0;
   mutable bool is_hollow_ = false;
 };

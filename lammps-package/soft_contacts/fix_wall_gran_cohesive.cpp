@@ -247,6 +247,7 @@ template <class Cohesion>
 template <class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
+  for (RegionFaces& region : regions) region.follow(where);
   // A particle that moves less than a radius per step cannot reach a wall from beyond two radii.
   // All particles are checked when some may be new, or faster.
   const double flight = 2.0 * step->flight() + wall_travel(now);

@@ -186,6 +186,16 @@ run {steps}
                     self.assertGreater((numpy.sign(found[0][0][-1][:, 4:7]) != numpy.sign(
                         found[0][0][0][:, 4:7])).sum(), 30)
 
+    def test_energies_of_a_block_are_those_of_planes(self):
+        """compute gran/energy: every number of it at every 500 steps."""
+        energies = []
+        for wall in ("region shape", self.PLANES):
+            self.path(self.BLOCK, self.cloud(), f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 {HAMAKER} {wall}",
+                      6000, every=1000, more="compute e all gran/energy\nfix e all ave/time 500 1 500 c_e[*] file e.txt")
+            energies.append(numpy.loadtxt(f"{self.folder}/e.txt"))
+        numpy.testing.assert_array_equal(*energies)
+        self.assertGreater(numpy.abs(energies[0][-1, 1:]).max(), 0.0)
+
     def test_rest_in_a_corner(self):
         """Weight along the diagonal of two or three faces: each carries its component, as planes do."""
         g = numpy.array([-9.0, -5.0, -7.0])
@@ -341,6 +351,8 @@ timestep 1e-6
         self.refused("variable a equal 0.01\nregion shape sphere 0 0 0 v_a units box\n", "region shape", "variables")
         self.refused("region shape block -0.01 0.01 -0.01 0.01 -0.01 0.01 open 6 units box\n", "region shape",
                      "open faces", "xplane")
+        self.refused("region shape cylinder z 0 0 0.01 -0.01 0.01 open 1 side out units box\n", "region shape",
+                     "both sides", "side in")
         self.refused("region shape cone y 0 0 0.01 0.015 -0.01 0.01 units box\n", "region shape", "wrong direction",
                      "along x or z")
         self.refused(sphere, "region shape", "periodic direction z", "boundary f", boundary="f f p")
@@ -356,6 +368,8 @@ timestep 1e-6
                                (gone + "region shape sphere 0 0 0 0.011 units box\n", "another one")):
             self.stops(self.script(sphere, "region shape", run=f"run 1\n{between}run 1"), words, after_a_run=True)
         self.goes(self.script(sphere, "region shape", run=f"run 1\n{gone}{sphere}run 1"))
+        self.stops(self.script(sphere, "region shape", run='run 4 every 2 "region shape delete"'), "does not exist",
+                   after_a_run=True)
 
     def test_warnings(self):
         sphere = "region shape sphere 0 0 0 0.01 units box\n"
@@ -368,6 +382,8 @@ timestep 1e-6
                                            places=[(place, 0, 0)], run="run 1\nrun 1"))
             self.assertEqual(output.count("curvature"), 1, output)
             self.assertIn(words, output)
+        self.stops(self.script("region shape cone z 0 0 0.0008 0.01 -0.01 0.01 open 1 open 2 units box\n",
+                               "region shape", places=[(0, 0, -0.0104)]), "radius of curvature", "wider region")
         self.stops(self.script("region shape sphere 0 0 0 0.0009 units box\n", "region shape",
                                places=[(1e-4, 0, 0)]), "radius of curvature 0.0009", "wider region")
 
