@@ -18,6 +18,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
+#include "domain.h"
 #include "error.h"
 #include "fix.h"
 #include "fix_deform.h"
@@ -51,6 +52,16 @@ inline void request_history_list(Neighbor* neighbor, Pair* pair, int instance) {
 #else
   const int request = neighbor->request(pair, instance);  // moves the array of requests
   neighbor->requests[request]->history = 1;
+#endif
+}
+
+/// The region of this ID, null if there is none.
+inline Region* region_of(const Domain* domain, const std::string& id) {
+#ifdef HISTBITS
+  return domain->get_region_by_id(id);
+#else
+  const int region = const_cast<Domain*>(domain)->find_region(id);
+  return region < 0 ? nullptr : domain->regions[region];
 #endif
 }
 

@@ -30,7 +30,9 @@ struct Misplaced {
 };
 
 /// How a script writes a wall, with its position as far as it has moved.
-std::string words_of(const Wall& wall, const WallsAtStart& start, bool other_side = false) {
+std::string words_of(int w, const WallsAtStart& start, bool other_side = false) {
+  if (w >= static_cast<int>(start.walls.size())) return "region " + start.region(w).id();
+  const Wall& wall = start.walls[w];
   if (wall.shape == Wall::z_cylinder) return message("zcylinder ", wall.position);
   const double moved[] = {start.state.displacement.x, start.state.displacement.y,
                           start.state.displacement.z};
@@ -44,6 +46,16 @@ std::string words_of(const Wall& wall, const WallsAtStart& start, bool other_sid
 
 }  // namespace
 
+double WallsAtStart::distance(int w, const cohesion::Vector3& centre) const {
+  if (w < static_cast<int>(walls.size())) return walls[w].nearest(centre, state, 0.0).distance;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::vector<RegionFaces::WallPoint> points(region(w).count());
+  region(w).find(centre, state, infinite, points.data());
+  double nearest = infinite;
+  for (const auto& point : points) nearest = std::min(nearest, point.distance);
+  return nearest;
+}
+
 bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where,
                                            const WallsAtStart& start,
                                            const std::function<bool(int i, int wall)>& is_new) {
@@ -55,8 +67,8 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
     if (!(atom->mask[i] & start.groupbit)) continue;
     if (atom->rmass && mobile.inverse_mass(atom->mask[i], atom->rmass[i]) == 0.0) continue;
     bool is_behind = false, is_through = false;  // counts once for each
-    for (int w = 0; w < static_cast<int>(start.walls.size()); w++) {
-      const double distance = start.walls[w].nearest(vector(atom->x[i]), start.state, 0.0).distance;
+    for (int w = 0; w < start.count(); w++) {
+      const double distance = start.distance(w, vector(atom->x[i]));
       if (distance >= (1.0 - 2.0 * start.deep) * atom->radius[i] || !is_new(i, w)) continue;
       const auto tag = static_cast<double>(atom->tag[i]);
       if (distance <= 0.0 && !is_behind)
@@ -80,7 +92,7 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
     double* const to = shown + NUMBERS * kind;
     std::copy_n(atom->x[i], 3, to);
     to[3] = atom->radius[i];
-    to[4] = start.walls[w].nearest(vector(atom->x[i]), start.state, 0.0).distance;
+    to[4] = start.distance(w, vector(atom->x[i]));
     to[5] = w;
   }
   MPI_Allreduce(MPI_IN_PLACE, shown, 2 * NUMBERS, MPI_DOUBLE, MPI_SUM, lmp->world);
@@ -89,16 +101,16 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
   for (int kind = 0; kind < 2; kind++) {
     if (counts[kind] == 0.0) continue;
     const double* const of = shown + NUMBERS * kind;
-    const Wall& wall = start.walls[static_cast<int>(of[5])];
+    const int w = static_cast<int>(of[5]);
     const std::string particle = message("Particle ", static_cast<bigint>(first[kind]), " at (",
                                          of[0], " ", of[1], " ", of[2], ")");
     if (kind == 0) {
-      const std::string turn = wall.is_flat() ? "write '" + words_of(wall, start, true) +
-                                                    "' if they are to be in front of it, "
-                                              : "";
+      const std::string turn = start.is_flat(w) ? "write '" + words_of(w, start, true) +
+                                                      "' if they are to be in front of it, "
+                                                : "";
       lmp->error->warning(
           FLERR, message(where, ": particles with their centres behind a wall: ", counts[0], ". ",
-                         particle, " is ", -of[4], " behind '", words_of(wall, start),
+                         particle, " is ", -of[4], " behind '", words_of(w, start),
                          "'. A wall acts on its front side only: such particles do not feel it "
                          "until they have once been clear of it in front. Move the wall or the "
                          "particles, ",
@@ -107,7 +119,7 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
       const double overlap = of[3] - of[4];
       lmp->error->warning(
           FLERR, message(where, ": particles that a wall cuts through: ", counts[1], ". ", particle,
-                         " reaches ", overlap, " into '", words_of(wall, start), "', ",
+                         " reaches ", overlap, " into '", words_of(w, start), "', ",
                          50.0 * overlap / of[3], " % of its diameter; ", start.effect,
                          ". Move the wall or the particles"));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact_solver/wall.h"
+#include "engine/region_faces.h"
 #include "lammps.h"
 
 namespace LAMMPS_NS {
@@ -20,6 +21,14 @@ struct WallsAtStart {
   double deep;
   /// What becomes of such a particle.
   const char* effect;
+  /// Further walls, which count behind the others; may be null.
+  const std::vector<RegionFaces>* regions = nullptr;
+
+  int count() const { return static_cast<int>(walls.size() + (regions ? regions->size() : 0)); }
+  bool is_flat(int w) const { return w < static_cast<int>(walls.size()) && walls[w].is_flat(); }
+  const RegionFaces& region(int w) const { return (*regions)[w - walls.size()]; }
+  /// Distance of a centre from wall w, not positive behind it, [length].
+  double distance(int w, const cohesion::Vector3& centre) const;
 };
 
 /// Collective: warns of particles that stand behind a wall of a fix, or reach deep into it, as a

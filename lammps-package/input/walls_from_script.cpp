@@ -25,10 +25,10 @@ double WallsFromScript::number(const char* text) const {
 int WallsFromScript::read(int narg, char** arg) {
   const std::string word = arg[0];
   if (const int wall = read_wall(word, narg - 1, arg + 1)) return wall;
-  if (word == "region")
-    lmp_->error->all(FLERR, where_ +
-                                ": a region cannot be its wall; it takes planes and zcylinder, and "
-                                "particles that nothing moves make any other shape");
+  if (word == "region") {
+    read_region(narg - 1, arg + 1);
+    return 2;
+  }
   if (word != "wiggle" && word != "shear" && word != "translate") return 0;
   const int moves = word == "wiggle" ? 3 : 2;
   if (narg <= moves)
@@ -41,15 +41,27 @@ int WallsFromScript::read(int narg, char** arg) {
 }
 
 void WallsFromScript::finish() {
-  if (walls.empty())
-    lmp_->error->all(FLERR, where_ +
-                                ": no wall; give 'xplane lo hi', 'yplane lo hi', 'zplane lo hi' or "
-                                "'zcylinder radius'");
+  if (walls.empty() && regions.empty())
+    lmp_->error->all(
+        FLERR,
+        where_ + ": no wall; give 'xplane lo hi', 'yplane lo hi', 'zplane lo hi'" +
+            (accepts_regions_ ? ", 'zcylinder radius' or 'region ID'" : " or 'zcylinder radius'"));
   if (motion_words_) read_motion(motion_words_);
   from_script(lmp_, where_, [this] {
     require_valid(motion);
     return 0;
   });
+}
+
+void WallsFromScript::read_region(int narg, char** arg) {
+  if (!accepts_regions_)
+    lmp_->error->all(FLERR, where_ +
+                                ": a region cannot be its wall; it takes planes and zcylinder, and "
+                                "particles that nothing moves make any other shape");
+  if (narg < 1) lmp_->error->all(FLERR, where_ + ": region takes the ID of a region");
+  if (std::find(regions.begin(), regions.end(), arg[0]) != regions.end())
+    lmp_->error->all(FLERR, where_ + ": region " + arg[0] + " twice; give each region once");
+  regions.emplace_back(arg[0]);
 }
 
 void WallsFromScript::read_motion(char** words) {
@@ -60,6 +72,10 @@ void WallsFromScript::read_motion(char** words) {
                      where_ + ": " + word + " takes a dimension x, y or z, not '" + dim + "'");
   const auto is_cylinder = [](const Wall& wall) { return wall.shape == Wall::z_cylinder; };
   const auto cylinders = std::count_if(walls.begin(), walls.end(), is_cylinder);
+  if (word == "shear" && !regions.empty())
+    lmp_->error->all(FLERR, where_ +
+                                ": shear moves a wall along itself, which the faces of a region do "
+                                "not allow; use translate, or a fix of its own for the region");
   if (word == "wiggle") {
     component(motion.amplitude, axis) = number(words[2]);
     motion.period = number(words[3]);

@@ -37,12 +37,13 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
   read(narg, arg);
   if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
   if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
-  history.start(static_cast<int>(walls.size()), per_wall);
-  forces.start(static_cast<int>(walls.size()));
+  history.start(faces(), per_wall);
+  const int all_walls = static_cast<int>(walls.size() + regions.size());
+  forces.start(all_walls);
 
   vector_flag = array_flag = 1;
   size_vector = WallForces::EACH;
-  size_array_rows = static_cast<int>(walls.size());
+  size_array_rows = all_walls;
   size_array_cols = WallForces::EACH;
   extvector = extarray = 1;
   global_freq = 1;
@@ -71,7 +72,7 @@ template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   std::vector<char*> contact_words;
   SpecifiedKeywords given(lmp, where);
-  WallsFromScript from_words(lmp, where);
+  WallsFromScript from_words(lmp, where, WallsFromScript::Regions::accepted);
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
     const int left = narg - iarg - 1;
@@ -91,13 +92,14 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
     } else if (const int taken = from_words.read(left + 1, arg + iarg)) {
       iarg += taken;
     } else {
-      error->all(FLERR, where + ": unknown keyword '" + word +
-                            "'; valid ones: " + contact_keyword_names<Cohesion>() + ", " +
-                            setting_names<Cohesion>() + ", " + WallsFromScript::keywords);
+      error->all(FLERR, where + ": unknown keyword '" + word + "'; valid ones: " +
+                            contact_keyword_names<Cohesion>() + ", " + setting_names<Cohesion>() +
+                            ", " + WallsFromScript::keywords_with_region);
     }
   }
   from_words.finish();
   walls = from_words.walls;
+  start_faces(from_words.regions);
   motion = from_words.motion;
   course = WallCourse(motion);
   parameters = cohesive_contact_from_script<Cohesion>(
@@ -136,12 +138,8 @@ void FixWallGranCohesive<Cohesion>::init() {
     attraction.require_short(lmp, where, unscaled_parameters, smallest[type],
                              std::numeric_limits<double>::infinity());
   sizes = {};  // not known: particles may have come since the last run
-  const StepWindow next{0.0, 0.5 * update->dt};
-  // Where the spring is meant for less, particles have been put there.
-  warn_of_particles_at_walls(lmp, where,
-                             {walls, course.over(next), groupbit,
-                              cohesion::advice::overlap_for_warning, "the spring throws it out"},
-                             [this](int i, int w) { return history.is_new(i, w); });
+  for (RegionFaces& region : regions) region.look_up(where);
+  warn_of_particles();
 }
 
 template <class Cohesion>
@@ -228,10 +226,18 @@ void FixWallGranCohesive<Cohesion>::update_sizes() {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::find_beside(const WallState& now) {
   const double reach = 2.0 * sizes.largest_radius + sizes.largest_range;
-  const FarFromWalls far(walls, now.displacement, reach + sizes.largest_radius);
+  const double far_away = reach + sizes.largest_radius;
+  const FarFromWalls far(walls, now.displacement, far_away);
+  const auto is_far_from_regions = [&](const Vector3& centre) {
+    return std::all_of(regions.begin(), regions.end(), [&](const RegionFaces& region) {
+      return region.is_far(centre, now, far_away);
+    });
+  };
   beside.clear();
   for (int i = 0; i < atom->nlocal; i++)
-    if (!far.contains(atom->x[i]) || atom->radius[i] > sizes.largest_radius) beside.push_back(i);
+    if (!far.contains(atom->x[i]) || atom->radius[i] > sizes.largest_radius ||
+        !is_far_from_regions(vector(atom->x[i])))
+      beside.push_back(i);
   radii_version = step->version_of_radii();
   travelled = 0.0;
 }
@@ -241,6 +247,7 @@ template <class Cohesion>
 template <class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
+  for (RegionFaces& region : regions) region.follow(where);
   // A particle that moves less than a radius per step cannot reach a wall from beyond two radii.
   // All particles are checked when some may be new, or faster.
   const double flight = 2.0 * step->flight() + wall_travel(now);
@@ -263,9 +270,11 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
     }
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
-    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double& phase = *history.of(i, w);
-      const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
+    find_points(centre, now, 2.0 * atom->radius[i] + range, points);
+    if (!regions.empty()) check_regions(i, now, range);
+    for (int face = 0; face < faces(); face++) {
+      double& phase = *history.of(i, face);
+      const WallPoint& point = points[face];
       if (WallHistory::keep_behind(phase, point.distance, atom->radius[i] + range)) continue;
       // A particle without a history is in range or not by its position.
       if (phase < 0.0) ContactHistory::unknown().store(&phase, per_wall);
@@ -283,8 +292,12 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
         continue;
       }
       const double last_step = step->starts() ? 0.0 : update->dt;
-      what(Near{i, w, point.velocity,
-                walls[w].relative_motion(centre, vector(atom->v[i]), point, now, last_step),
+      const std::size_t w = wall_of_face[face];
+      const Vector3 velocity = vector(atom->v[i]);
+      what(Near{i, wall_of_face[face], point.velocity,
+                w < walls.size() ? walls[w].relative_motion(centre, velocity, point, now, last_step)
+                                 : regions[w - walls.size()].relative_motion(centre, velocity,
+                                                                             point, now, last_step),
                 &phase});
     }
   }

@@ -12,6 +12,7 @@
 #include "contact_solver/wall.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"
+#include "engine/region_faces.h"
 #include "fix.h"
 #include "input/cohesive_contact_from_script.h"
 #include "sampled_contact/sampled_contact.h"
@@ -57,6 +58,8 @@ class FixWallGranCohesive : public FixWithWallHistory,
   /// alternative per scheme, in the order of Scheme.
   using AnyContacts = std::variant<std::vector<ExactContact>, std::vector<SampledContact> >;
   using Wall = cohesion::contact_solver::Wall;
+  using WallState = cohesion::contact_solver::WallState;
+  using WallPoint = cohesion::contact_solver::WallPoint;
 
   /// A particle that may touch a wall in this step.
   struct Near {
@@ -71,15 +74,21 @@ class FixWallGranCohesive : public FixWithWallHistory,
   template <class Contact>
   const Contact& contact(std::vector<Contact>&, int i);
   template <class Contact>
-  void find_in_range(std::vector<Contact>&, const cohesion::contact_solver::WallState&);
+  void find_in_range(std::vector<Contact>&, const WallState&);
   void repeat_forces();
   template <int SIZE, class What>
-  void for_each_with_history(const cohesion::contact_solver::WallState&, const What&);
-  void check_flight(int i, const cohesion::contact_solver::WallPoint&);
-  cohesion::contact_solver::WallState state() const;
-  double wall_travel(const cohesion::contact_solver::WallState&) const;
+  void for_each_with_history(const WallState&, const What&);
+  void check_flight(int i, const WallPoint&);
+  WallState state() const;
+  double wall_travel(const WallState&) const;
   void update_sizes();
-  void find_beside(const cohesion::contact_solver::WallState&);
+  void find_beside(const WallState&);
+  void start_faces(const std::vector<std::string>& region_ids);
+  int faces() const { return static_cast<int>(wall_of_face.size()); }
+  void find_points(const cohesion::Vector3& centre, const WallState&, double reach,
+                   std::vector<WallPoint>&) const;
+  void check_regions(int i, const WallState&, double range);
+  void warn_of_particles();
   template <class What>
   void for_each_near(const What&);
   template <int SIZE, class Contact>
@@ -112,6 +121,10 @@ class FixWallGranCohesive : public FixWithWallHistory,
   typename Cohesion::Parameters parameters;  // with scaled adhesion, if the script requests it
   typename Cohesion::Law law;
   std::vector<Wall> walls;
+  std::vector<RegionFaces> regions;  // further walls, behind the others
+  std::vector<int> wall_of_face;     // a plane or cylinder has one face
+  std::vector<WallPoint> points;     // of the faces, for one particle
+  bool has_warned_of_curvature = false;
   cohesion::contact_solver::WallMotion motion;
   cohesion::contact_solver::WallCourse course;
 
@@ -140,6 +153,20 @@ inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
         wall));
   return shared.back();
+}
+
+/// The points of all faces; those of regions that are `reach` [length] away or farther are at an
+/// infinite distance.
+template <class Cohesion>
+inline void FixWallGranCohesive<Cohesion>::find_points(const cohesion::Vector3& centre,
+                                                       const WallState& now, double reach,
+                                                       std::vector<WallPoint>& found) const {
+  WallPoint* point = found.data();
+  for (const Wall& wall : walls) *point++ = wall.nearest(centre, now, motion.rim_speed);
+  for (const RegionFaces& region : regions) {
+    region.find(centre, now, reach, point);
+    point += region.count();
+  }
 }
 
 template <class Cohesion>

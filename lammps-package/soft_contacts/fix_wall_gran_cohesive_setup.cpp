@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // The part of FixWallGranCohesive that knows contacts at set-up of a run, and restart files.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "atom.h"
 #include "comm.h"
@@ -14,6 +16,8 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::contact_solver;
 
+static constexpr double infinite = std::numeric_limits<double>::infinity();
+
 /// Decides by their distance whether particles are in range that have no history, or whose gap to
 /// the wall a script has changed.
 template <class Cohesion>
@@ -21,16 +25,19 @@ template <class Contact>
 void FixWallGranCohesive<Cohesion>::find_in_range(std::vector<Contact>& shared,
                                                   const WallState& now) {
   shared.clear();
+  std::vector<WallPoint> points_before(faces());
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const AlteredParticles& altered = step->altered_particles();
     const Vector3 centre = vector(atom->x[i]), before = centre - altered.displacement(i);
-    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double* const values = history.of(i, w);
-      const double distance = walls[w].nearest(centre, now, motion.rim_speed).distance;
+    find_points(centre, now, infinite, points);
+    find_points(before, now, infinite, points_before);
+    for (int face = 0; face < faces(); face++) {
+      double* const values = history.of(i, face);
+      const double distance = points[face].distance;
       const bool is_altered =
-          altered.is_resized(i) ||
-          altered.is_displaced(distance - walls[w].nearest(before, now, motion.rim_speed).distance);
+          altered.is_resized(i) || (distance != points_before[face].distance &&
+                                    altered.is_displaced(distance - points_before[face].distance));
       if (step->body(i).inverse_mass == 0.0) {
         if (is_altered) values[0] = WallHistory::NOT_KNOWN;
         continue;
@@ -80,13 +87,15 @@ void FixWallGranCohesive<Cohesion>::repeat_forces() {
 template <class Cohesion>
 template <int SIZE, class What>
 void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, const What& what) {
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double* const values = history.of(i, w);
-      if (values[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
-      what(i, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed).separation,
-           ContactHistory::stored(values, SIZE));
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (step->body(i).inverse_mass == 0.0) continue;
+    find_points(vector(atom->x[i]), now, infinite, points);
+    for (int face = 0; face < faces(); face++) {
+      double* const values = history.of(i, face);
+      if (values[0] <= 0.0 || !std::isfinite(points[face].distance)) continue;
+      what(i, points[face].separation, ContactHistory::stored(values, SIZE));
     }
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -94,11 +103,20 @@ void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, 
 // Numbers of a restart file: its layout, walls, numbers of history each, the course of the walls,
 // and the force on them, which a run that continues another does not compute again.
 static constexpr int LAYOUT = 3, COURSE = 3;
+// With regions, their number, that of all faces and the place of each region come first of these.
+static constexpr int LAYOUT_WITH_REGIONS = 4;
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
-  std::vector<double> head{RESTART_MARK + LAYOUT, static_cast<double>(walls.size()),
-                           static_cast<double>(per_wall)};
+  const bool has_regions = !regions.empty();
+  std::vector<double> head{
+      static_cast<double>(RESTART_MARK + (has_regions ? LAYOUT_WITH_REGIONS : LAYOUT)),
+      static_cast<double>(walls.size()), static_cast<double>(per_wall)};
+  if (has_regions) {
+    head.push_back(static_cast<double>(regions.size()));
+    head.push_back(faces());
+    for (const RegionFaces& region : regions) head.push_back(region.place());
+  }
   append_course(head, course, walls);
   forces.write_restart(fp, world, std::move(head));
 }
@@ -106,7 +124,12 @@ void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   const auto* values = reinterpret_cast<double*>(buf);
-  require_layout(lmp, values[0], where, LAYOUT);
+  const bool had_regions = values[0] == RESTART_MARK + LAYOUT_WITH_REGIONS;
+  if (!had_regions) require_layout(lmp, values[0], where, LAYOUT);
+  if (had_regions == regions.empty())
+    error->all(FLERR, where +
+                          ": a region is its wall either here or in the restart file only; give "
+                          "the fix another ID");
   if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
     error->all(FLERR,
                where +
@@ -114,8 +137,20 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
                    "friction in one of them only: {} walls with {} numbers of history each "
                    "there, {} with {} here; give the fix another ID",
                static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
-  course = continued_course(lmp, where, course, walls, values + COURSE);
-  if (comm->me == 0) forces.put_back(values + COURSE + size_of_course(walls));
+  values += COURSE;
+  if (had_regions) {
+    bool are_same = values[0] == static_cast<double>(regions.size()) && values[1] == faces();
+    values += 2;
+    for (std::size_t r = 0; are_same && r < regions.size(); r++)
+      are_same = values[r] == regions[r].place();
+    if (!are_same)
+      error->all(FLERR, where +
+                            ": other regions than in the restart file; define them as in the "
+                            "script of the first run, or give the fix another ID");
+    values += regions.size();
+  }
+  course = continued_course(lmp, where, course, walls, values);
+  if (comm->me == 0) forces.put_back(values + size_of_course(walls));
 }
 
 #define COHESION_INSTANTIATE(style, Law)                        \

@@ -2,6 +2,8 @@
 #ifndef COHESION_WALL_HISTORY_H
 #define COHESION_WALL_HISTORY_H
 
+#include <algorithm>
+
 #include "atom.h"
 #include "contact_solver/wall.h"
 #include "engine/atom_numbers.h"
@@ -34,6 +36,11 @@ class WallHistory : public AtomNumbers {
       return false;
     flag = BEHIND;
     return true;
+  }
+  /// The contact with one wall continues with another one.
+  void hand_over(int i, int from, int to) const {
+    std::copy_n(of(i, from), per_wall_, of(i, to));
+    std::fill_n(of(i, from), per_wall_, 0.0);
   }
   double* of(int i, int wall) const { return AtomNumbers::of(i) + wall * per_wall_; }
 

@@ -41,7 +41,7 @@ timestep 1e-7
         self.refused("stiffness 800 plane 0 1", "fix wall wall/gran/hamaker", "'plane'", "stiffness",
                      "hamaker", "xplane", "zcylinder", "translate")
         self.refused("stiffness 800", "no wall", "xplane lo hi", "zcylinder radius")
-        self.refused("stiffness 800 region drum", "a region cannot be its wall", "planes and zcylinder")
+        self.refused("stiffness 800 region drum", "region drum does not exist")
         self.refused("stiffness 800 rolling_friction -0.1 xplane 0 NULL", "rolling friction")
         self.refused("", "no wall")
         self.refused("xplane 0 NULL", "stiffness K = 0")

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "engine/region_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "common/engine_api.h"
+#include "common/message.h"
+#include "domain.h"
+#include "error.h"
+#include "region.h"
+
+using namespace LAMMPS_NS;
+using cohesion::norm;
+using cohesion::Vector3;
+
+static constexpr double INFINITE = std::numeric_limits<double>::infinity();
+/// What LAMMPS has for infinite extents is larger, [length].
+static constexpr double FAR = 1e19;
+
+/// The nearest point of a contact of LAMMPS, as seen from the centre of a particle.
+static Vector3 to_surface(const Region::Contact& c) { return {-c.delx, -c.dely, -c.delz}; }
+
+/// Towards the particle; exact along an axis, so that flat faces act as planes do to the last bit.
+static Vector3 normal_of(const Vector3& separation, double distance) {
+  return {-separation.x / distance, -separation.y / distance, -separation.z / distance};
+}
+
+RegionFaces::RegionFaces(LAMMPS* lmp, const std::string& where, const std::string& id)
+    : lmp_(lmp), id_(id), region_(found()), narrowest_(INFINITE) {
+  require_static(where);
+  is_open_ = region_->openflag != 0;
+  is_cone_ = std::string(region_->style) == "cone";
+  if (std::string(region_->style) == "sphere") curvature_per_number_ = 1.0;
+  // Outside there is one contact, with the nearest point.
+  count_ = region_->interior || is_open_ ? region_->cmax + is_open_ : 1;
+  place_ = measured_place();
+  require_aperiodic(where);
+  sample_faces(where);
+}
+
+Region* RegionFaces::found() const { return engine_api::region_of(lmp_->domain, id_); }
+
+void RegionFaces::require_static(const std::string& where) const {
+  const std::string of = where + ": region " + id_;
+  if (!region_)
+    lmp_->error->all(FLERR, of + " does not exist; define it before the fix, and keep it");
+  const std::string style = region_->style;
+  const auto is_of = [&style](const std::vector<std::string>& styles) {
+    return std::find(styles.begin(), styles.end(), style) != styles.end();
+  };
+  if (!is_of({"block", "cone", "cylinder", "plane", "prism", "sphere"}))
+    lmp_->error->all(FLERR, of + " of style " + style +
+                                " cannot be a wall; use block, cone, cylinder, plane, prism or "
+                                "sphere, several 'region' keywords for several of them");
+  if (region_->dynamic_check())
+    lmp_->error->all(FLERR, of + " moves or changes its shape by variables; define it at rest, and "
+                                 "move it by wiggle or translate of this fix");
+  if (region_->openflag && !region_->interior)
+    lmp_->error->all(FLERR, of + " with open faces acts on both sides; define it with side in");
+  if (region_->openflag && !is_of({"cone", "cylinder"}))
+    lmp_->error->all(FLERR, of + " of style " + style +
+                                " has open faces, at whose corners LAMMPS finds one of two edges; "
+                                "use xplane, yplane and zplane, or an open cylinder or cone");
+}
+
+/// Particles beyond a periodic side would not feel a face there.
+void RegionFaces::require_aperiodic(const std::string& where) const {
+  const double extents[][2] = {{region_->extent_xlo, region_->extent_xhi},
+                               {region_->extent_ylo, region_->extent_yhi},
+                               {region_->extent_zlo, region_->extent_zhi}};
+  for (int d = 0; d < 3; d++) {
+    const bool is_infinite = region_->bboxflag && extents[d][0] <= -FAR && extents[d][1] >= FAR;
+    if (lmp_->domain->periodicity[d] && !is_infinite)
+      lmp_->error->all(FLERR, where + ": region " + id_ + " ends in the periodic direction " +
+                                  "xyz"[d] +
+                                  "; use 'boundary f' there, or INF INF for a region with side in");
+  }
+}
+
+/// Smallest radius of curvature, and a check of LAMMPS, which has the end faces of a cone along y
+/// point along z.
+void RegionFaces::sample_faces(const std::string& where) {
+  if (!region_->bboxflag) return;
+  const double low[] = {region_->extent_xlo, region_->extent_ylo, region_->extent_zlo};
+  const double high[] = {region_->extent_xhi, region_->extent_yhi, region_->extent_zhi};
+  double size = 0.0;
+  for (int d = 0; d < 3; d++)
+    if (high[d] - low[d] < FAR) size = std::max(size, high[d] - low[d]);
+  if (size == 0.0) size = 1.0;
+  const auto along = [&](int d, double part) {
+    if (low[d] <= -FAR) return (high[d] >= FAR ? 0.0 : high[d]) - part * size;
+    return low[d] + part * std::min(high[d] - low[d], size);
+  };
+  // Anywhere, and along three lines, of which one is beside the axis of a cylinder or cone.
+  constexpr int PLACES = 200;
+  for (int k = 0; k < 4 * PLACES; k++) {
+    const auto part = [k](int d, double step) {
+      if (k >= 3 * PLACES) return k * step - std::floor(k * step);
+      return k / PLACES == d ? (k % PLACES + 0.5) / PLACES : 0.501;
+    };
+    const Vector3 at{along(0, part(0, 0.8191725134)), along(1, part(1, 0.6710436067)),
+                     along(2, part(2, 0.5497004779))};
+    if (!region_->inside(at.x, at.y, at.z)) continue;
+    std::vector<WallPoint> here(count_), half_way(count_);
+    find(at, {}, FAR, here.data());
+    narrowest_ = std::min(narrowest_, curvature_radius_);
+    for (int face = 0; face < count_; face++) {
+      if (!(here[face].distance < FAR)) continue;
+      const Vector3 nearer = at + 0.5 * here[face].separation;
+      if (!region_->inside(nearer.x, nearer.y, nearer.z)) continue;  // of an end wider than the end
+      find(nearer, {}, FAR, half_way.data());
+      const double error = half_way[face].distance - 0.5 * here[face].distance;
+      if (!(std::abs(error) <= 1e-9 * size))
+        lmp_->error->all(FLERR, where + ": region " + id_ +
+                                    ": this LAMMPS has a wrong direction for one of its faces; "
+                                    "use a cone along x or z");
+    }
+  }
+}
+
+void RegionFaces::look_up(const std::string& where) {
+  region_ = found();
+  require_static(where);
+  require_aperiodic(where);
+  if (measured_place() != place_)
+    lmp_->error->all(FLERR, where + ": region " + id_ +
+                                " is another one than at the time of the command; define walls "
+                                "elsewhere by another fix");
+}
+
+/// Distances from points that lie anywhere, and which faces are open.
+double RegionFaces::measured_place() const {
+  double sum = region_->interior;
+  for (int face = 0; face < 6; face++) sum = 2.0 * sum + region_->open_faces[face];
+  double weight = 1.0;
+  for (const double size : {1.0, 0.01, 1e-4})
+    for (const Vector3& to : {Vector3{1.1, 0.7, 0.3}, Vector3{-0.9, 0.4, 1.2},
+                              Vector3{0.2, -1.3, 0.8}, Vector3{-0.6, -0.5, -1.4}}) {
+      const double distance = depth(size * to);
+      if (distance < FAR) sum += weight * distance;
+      weight += 0.618;
+    }
+  return sum;
+}
+
+/// Distance of a place from the nearest face, on either side of it.
+double RegionFaces::depth(const Vector3& at) const {
+  double x[] = {at.x, at.y, at.z};
+  const bool is_inside = region_->inside(x[0], x[1], x[2]) != 0;
+  const int n = is_inside ? region_->surface_interior(x, FAR) : region_->surface_exterior(x, FAR);
+  double nearest = INFINITE;
+  for (int k = 0; k < n; k++) nearest = std::min(nearest, region_->contact[k].r);
+  return nearest;
+}
+
+/// LAMMPS cannot evaluate a cone on its axis: it lies beside the particles' coordinates by less
+/// than their rounding matters.
+Vector3 RegionFaces::in_region(const Vector3& centre, const WallState& now) const {
+  const Vector3 at = centre - now.displacement;
+  if (!is_cone_) return at;
+  const double offset = 1e-13 * (norm(at) + lmp_->domain->xprd);
+  return at + offset * Vector3{0.83, 0.59, 0.71};
+}
+
+void RegionFaces::find(const Vector3& centre, const WallState& now, double reach,
+                       WallPoint* points) const {
+  std::fill_n(points, count_, WallPoint{INFINITE, {}, now.velocity});
+  curvature_radius_ = INFINITE;
+  const Vector3 at = in_region(centre, now);
+  const bool is_inside = region_->inside(at.x, at.y, at.z) != 0;
+  is_hollow_ = is_inside;
+  if (!is_open_ && is_inside != (region_->interior != 0)) {
+    const double behind = -depth(at);
+    std::fill_n(points, count_, WallPoint{behind, {}, now.velocity});
+    return;
+  }
+  const int n = region_->surface(at.x, at.y, at.z, reach);
+  for (int k = 0; k < n; k++) {
+    const Region::Contact& c = region_->contact[k];
+    const int face = is_inside ? c.iwall : count_ - 1;
+    points[face] = {c.r, to_surface(c), now.velocity};
+    if (c.radius != 0.0)
+      curvature_radius_ = std::min(curvature_radius_, curvature_per_number_ * std::abs(c.radius));
+  }
+  if (is_open_ && !is_inside && n > 0) {  // LAMMPS finds one point of the rim of an open end
+    curvature_radius_ = narrowest_;
+    is_hollow_ = true;
+  }
+  if (is_cone_ && is_inside) drop_edges_of_ends(points);
+}
+
+/// Where the nearest point of the side of a cone is on the edge of an end, the end alone acts: at
+/// an obtuse angle, what touches the end there would touch the edge too.
+void RegionFaces::drop_edges_of_ends(WallPoint* points) const {
+  WallPoint& side = points[2];
+  for (const WallPoint* end : {points, points + 1}) {
+    if (!(std::isfinite(side.distance) && end->distance < FAR && end->distance > 0.0)) continue;
+    const double beside = dot(side.separation, end->separation) / end->distance;
+    if (beside > end->distance * (1.0 - 1e-9)) side.distance = INFINITE;
+  }
+}
+
+bool RegionFaces::is_far(const Vector3& centre, const WallState& now, double reach) const {
+  const Vector3 at = in_region(centre, now);
+  return region_->match(at.x, at.y, at.z) && region_->surface(at.x, at.y, at.z, reach) == 0;
+}
+
+/// The normal of a face, towards the particle, where the centre was a step before: of the contact
+/// there whose normal is nearest to that of `point`, or that of `point` if there is none.
+Vector3 RegionFaces::normal_before(const Vector3& centre, const Vector3& velocity,
+                                   const WallPoint& point, const WallState& now,
+                                   double last_step) const {
+  const Vector3 normal = normal_of(point.separation, point.distance);
+  const Vector3 way = last_step * (velocity - now.velocity);
+  const Vector3 at = in_region(centre - way, now);
+  const int n = region_->surface(at.x, at.y, at.z, 2.0 * (point.distance + norm(way)));
+  Vector3 before = normal;
+  double largest = -INFINITE;
+  for (int k = 0; k < n; k++) {
+    const Region::Contact& c = region_->contact[k];
+    if (!(c.r > 0.0)) continue;
+    const Vector3 other = normal_of(to_surface(c), c.r);
+    if (!(dot(other, normal) > largest)) continue;
+    largest = dot(other, normal);
+    before = other;
+  }
+  return before;
+}
+
+RegionFaces::RelativeWallMotion RegionFaces::relative_motion(const Vector3& centre,
+                                                             const Vector3& velocity,
+                                                             const WallPoint& point,
+                                                             const WallState& now,
+                                                             double last_step) const {
+  RelativeWallMotion motion{{point.separation, point.velocity - velocity}, now.acceleration};
+  if (last_step == 0.0) return motion;
+  const Vector3 normal = normal_of(point.separation, point.distance);
+  const Vector3 turned = normal - normal_before(centre, velocity, point, now, last_step);
+  const Vector3 turning = (dot(velocity - now.velocity, turned) / last_step) * normal;
+  motion.relative.velocity += (0.5 * last_step) * turning;
+  motion.acceleration -= turning;
+  return motion;
+}
+
+bool RegionFaces::has_passed(const Vector3& centre, const Vector3& velocity, const WallPoint& point,
+                             const WallState& now, double last_step) const {
+  return dot(point.separation, normal_before(centre, velocity, point, now, last_step)) > 0.0;
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_REGION_FACES_H
+#define COHESION_REGION_FACES_H
+
+#include <cmath>
+#include <string>
+
+#include "contact_solver/wall.h"
+#include "lammps.h"
+
+namespace LAMMPS_NS {
+
+class Region;
+
+/// The surface of a static LAMMPS region as walls: each face acts through its tangent plane at the
+/// point nearest to the particle's centre. A particle inside the region may touch several faces,
+/// one outside it touches the nearest point, which may be on an edge.
+class RegionFaces {
+ public:
+  using WallPoint = cohesion::contact_solver::WallPoint;
+  using WallState = cohesion::contact_solver::WallState;
+  using RelativeWallMotion = cohesion::contact_solver::RelativeWallMotion;
+
+  /// Stops LAMMPS, with `where` in front of the message, where the region cannot be a wall.
+  RegionFaces(LAMMPS* lmp, const std::string& where, const std::string& id);
+
+  const std::string& id() const { return id_; }
+  /// Largest number of contacts of one particle, each with a history.
+  int count() const { return count_; }
+  /// A number that differs for a region elsewhere, or of another shape.
+  double place() const { return place_; }
+  /// Finds the region again as a run begins. Stops LAMMPS if it is gone, or another one.
+  void look_up(const std::string& where);
+  /// The same within a run, as a step begins.
+  void follow(const std::string& where) {
+    if (found() != region_) look_up(where);
+  }
+
+  /// Sets points[face] for all count() faces. A face that is `reach` [length] or farther away has
+  /// an infinite distance; behind the region all distances are negative.
+  void find(const cohesion::Vector3& centre, const WallState& now, double reach,
+            WallPoint* points) const;
+  /// Of the faces that find() found last, the smallest radius of curvature; infinite for flat ones,
+  /// [length]. is_hollow(): their centre of curvature is on the particle's side.
+  double curvature_radius() const { return curvature_radius_; }
+  bool is_hollow() const { return is_hollow_; }
+  /// Whether a centre is in front of the region and farther than `reach` from all its faces.
+  bool is_far(const cohesion::Vector3& centre, const WallState& now, double reach) const;
+
+  /// The motion of the wall at `point` relative to a particle, as Wall::relative_motion(). The
+  /// distance d from a curved face changes by d'' = v . dn/dt, with the normal n at the particle in
+  /// this and in the last step.
+  RelativeWallMotion relative_motion(const cohesion::Vector3& centre,
+                                     const cohesion::Vector3& velocity, const WallPoint& point,
+                                     const WallState& now, double last_step) const;
+  /// Whether the particle came from the back of the face at `point` in the last step.
+  bool has_passed(const cohesion::Vector3& centre, const cohesion::Vector3& velocity,
+                  const WallPoint& point, const WallState& now, double last_step) const;
+  /// Where a face ends at an open one, its contact continues on its back. Returns the face whose
+  /// history continues on the face `to`, or -1. in_range(face): whether its history is in range.
+  template <class InRange>
+  int handed_over(const WallPoint* points, const InRange& in_range, int& to) const {
+    int from = -1;
+    to = -1;
+    for (int face = 0; is_open_ && face < count_; face++) {
+      const bool is_near = std::isfinite(points[face].distance);
+      if (!is_near && in_range(face)) from = face;
+      if (is_near && !in_range(face)) to = face;
+    }
+    return to < 0 ? -1 : from;
+  }
+
+ private:
+  Region* found() const;
+  void require_static(const std::string& where) const;
+  void require_aperiodic(const std::string& where) const;
+  void sample_faces(const std::string& where);
+  cohesion::Vector3 in_region(const cohesion::Vector3& centre, const WallState& now) const;
+  cohesion::Vector3 normal_before(const cohesion::Vector3& centre,
+                                  const cohesion::Vector3& velocity, const WallPoint& point,
+                                  const WallState& now, double last_step) const;
+  double depth(const cohesion::Vector3& at) const;
+  double measured_place() const;
+  void drop_edges_of_ends(WallPoint* points) const;
+
+  LAMMPS* lmp_;
+  std::string id_;
+  Region* region_ = nullptr;
+  int count_ = 0;
+  bool is_open_ = false;
+  bool is_cone_ = false;
+  double curvature_per_number_ = 0.5;  // radius of curvature over LAMMPS' number of a contact
+  double place_ = 0.0;
+  double narrowest_;  // radius of curvature of an open region, [length]
+  mutable double curvature_radius_ = 0.0;
+  mutable bool is_hollow_ = false;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
