@@ -101,8 +101,8 @@ class Parts:
 
 
 def evaluate(folder, dt, start):
-    """After the share `start` of the run: durations and sizes by capture and escape, share of collisions along the shear
-    of free discs and of captured pairs. Removes the record."""
+    """After the share `start` of the run: durations and sizes by capture and escape, share of collisions along the
+    shear of free discs and of captured pairs. Removes the record."""
     last = max(int(lines[0]) for lines in blocks(folder / "positions.txt"))
     first = math.ceil(start * last)
     positions = read_positions(folder / "positions.txt", first)
