@@ -12,7 +12,8 @@ from analyse import HARDLY, LARGE, SURE, ratio, row, show
 DENSE, DILUTE = (0.4, 0.5), (0.1, 0.2)
 COLLISIONAL = (0.3, 0.4, 0.5)
 COLLISIONAL_TEN = (0.3, 0.5)  # of those, at D* 10
-LEAST, MOST = sweep.DEPTHS[0], sweep.DEPTHS[-1]
+LEAST, *_, MOST = sweep.DEPTHS
+ENDS = LEAST, MOST
 MOST_DISCS = 0.5  # a single agglomerate "includes most of the particles"
 FIFTH = 0.1, 0.3  # "roughly 20%"
 
@@ -78,8 +79,8 @@ def regime_text(run, result):
 
 def regimes(runs):
     """4.2.1 and fig. 4.3."""
-    mild = {run: runs.plain[run] for run in (sweep.starred(phi, depth) for depth in sweep.DEPTHS[1:]
-                                             for phi in sweep.FRACTIONS)}
+    mild = {run: runs.plain[run] for run in (sweep.starred(phi, depth) for depth, fractions in sweep.DEPTHS.items()
+                                             if depth for phi in fractions)}
     clusters = {depth: {phi: runs.plain[sweep.starred(phi, depth)] for phi in fractions}
                 for depth, fractions in sweep.CLUSTERS.items()}
     expected = {25: ("mild", "mild", "strong", "strong"), 30: ("mild", "strong")}
@@ -107,12 +108,13 @@ def regimes(runs):
 
 def agglomerates(runs):
     """Figs 4.4 and 4.5."""
-    depths = sweep.DEPTHS[1:]
+    depths = [depth for depth in sorted([*sweep.DEPTHS, sweep.TEN]) if depth]
     for quantity, with_phi in (("duration", -1), ("size", 1)):
         yield trend(f"Fig. 4.4 {quantity} grows with D*",
-                    [(f"phi {phi}", runs.along(quantity, [phi], depths)) for phi in sweep.FRACTIONS], 1)
+                    [(f"phi {phi}", runs.along(quantity, [phi], depths)) for phi in sweep.TEN_AT], 1)
         yield trend(f"Fig. 4.4 {quantity} {'falls' if with_phi < 0 else 'grows'} with phi",
-                    [(f"D* {depth}", runs.along(quantity, sweep.FRACTIONS, [depth])) for depth in depths], with_phi)
+                    [(f"D* {depth}", runs.along(quantity, sweep.DEPTHS.get(depth, sweep.TEN_AT), [depth]))
+                     for depth in depths], with_phi)
         held = [(f"held, phi {phi}", runs.along(quantity, [phi], [sweep.TEN], sweep.TEN_WIDTHS))
                 for phi in sweep.TEN_AT]
         captured = [(f"captured, phi {phi}", [runs.event(f"captured_{quantity}", phi, w) for w in sweep.TEN_WIDTHS])
@@ -129,7 +131,7 @@ def stress(runs):
 
     for quantity, figure in (("stress_xx", "4.6"), ("stress_yy", "4.6, yy"), ("stress_xy", "4.10")):
         yield trend(f"Fig. {figure}: {quantity} falls with D*",
-                    [(f"phi {phi}", runs.along(quantity, [phi], sweep.DEPTHS)) for phi in DENSE], -1)
+                    [(f"phi {phi}", runs.along(quantity, [phi], ENDS)) for phi in DENSE], -1)
         ratios = [over(quantity, phi) for phi in DENSE + DILUTE]
         calm = [abs(r - 1) + SURE * e < HARDLY for r, e in ratios[len(DENSE):]]
         loud = [abs(r - 1) - SURE * e > HARDLY for r, e in ratios[len(DENSE):]]
@@ -147,11 +149,11 @@ def stress(runs):
 def parts(runs, component):
     """Share of the kinds of events in the change of the stress from LEAST to MOST."""
     def gain(kind, phi):
-        return change(runs.along(f"{kind}_{component}", [phi], sweep.DEPTHS))
+        return change(runs.along(f"{kind}_{component}", [phi], ENDS))
 
     texts = {phi: "; ".join(f"{kind} {show(gain(kind, phi))}" for kind in analyse.KINDS) for phi in COLLISIONAL}
     text = " | ".join(f"phi {phi}, D* {LEAST} to {MOST}: {t}" for phi, t in texts.items())
-    sets = [(f"phi {phi}", runs.along(f"collision_{component}", [phi], sweep.DEPTHS)) for phi in COLLISIONAL]
+    sets = [(f"phi {phi}", runs.along(f"collision_{component}", [phi], ENDS)) for phi in COLLISIONAL]
     if component == "xy":
         yield trend("Fig. 4.11: collision part of the shear stress becomes smaller", sets[1:], -1)
         yield "Fig. 4.11: parts of the change", text, "not decisive"

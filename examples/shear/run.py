@@ -102,8 +102,8 @@ def main():
     name = "shear-full" if args.full else "shear-thesis" if args.thesis else "shear"
     out, engine = program.out_folder(args, name).resolve(), launcher(args.build)
     if args.thesis:
-        jobs = [ShearRun(run, sweep.LIMITED, out, engine) for run in sweep.thesis()]
-        jobs += [ShearRun(run, sweep.RECORDED, out, engine, record=True) for run in sweep.recorded()]
+        jobs = [ShearRun(run, rule, out, engine) for run, rule in sweep.thesis()]
+        jobs += [ShearRun(run, rule, out, engine, record=True) for run, rule in sweep.recorded()]
     else:
         runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)
         jobs = [ShearRun(run, rule, out, engine) for run in runs]
