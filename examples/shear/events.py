@@ -76,7 +76,7 @@ def size(partners):
             near = partners[edge.pop()] & left
             left -= near
             edge += near
-    return total / agglomerates if agglomerates else 0.0
+    return total / agglomerates
 
 
 class Parts:
@@ -111,7 +111,8 @@ def evaluate(folder, dt, start):
     for time, kind, i, j in read_events(folder / "events.txt"):
         kinds[kind] += 1
         while seen < time:
-            sizes.add(seen, size(partners))
+            if partners:
+                sizes.add(seen, size(partners))
             seen += (last - first) / 200
         if kind == "capture" and j not in partners[i]:
             for a, b in ((i, j), (j, i)):

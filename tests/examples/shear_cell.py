@@ -151,7 +151,6 @@ class Events(unittest.TestCase):
 
     def test_size(self):
         self.assertEqual(events.size({1: {2}, 2: {1, 3}, 3: {2}, 5: {6}, 6: {5}}), 2.5)
-        self.assertEqual(events.size({}), 0)
 
 
 class Claims(unittest.TestCase):
