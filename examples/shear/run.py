@@ -2,7 +2,7 @@
 """Runs the sheared discs with square wells, as many runs at a time as there are cores, and ends in a table
 of findings and a picture. Runs that are finished are not run again.
 
-    run.py [--full] [--out FOLDER] [--overwrite] [--build FOLDER] [--together N]
+    run.py [--full | --thesis] [--out FOLDER] [--overwrite] [--build FOLDER] [--together N]
 """
 
 import argparse
@@ -13,6 +13,8 @@ import re
 from pathlib import Path
 
 import analyse
+import claims
+import events
 import picture
 import sweep
 from cohesion_studies import program
@@ -26,10 +28,13 @@ TOO_FAR = "could miss a partner"  # the engine: particles fly too far in a step
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--full", action="store_true",
-                        help="the whole sweep with the thesis's block rule (hours) instead of the subset")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--full", action="store_true",
+                       help="the whole sweep with the thesis's block rule (hours) instead of the subset")
+    which.add_argument("--thesis", action="store_true",
+                       help="runs that decide the thesis's claims, on its own parameters and block rule")
     parser.add_argument("--overwrite", action="store_true", help="replace runs of other settings")
-    program.folder_words(parser, "BUILD/shear, with --full BUILD/shear-full")
+    program.folder_words(parser, "BUILD/shear, BUILD/shear-full, BUILD/shear-thesis")
     program.together_words(parser)
     return parser.parse_args()
 
@@ -56,18 +61,19 @@ def content(file):
 class ShearRun(ScriptRun):
     """One run of in.shear."""
 
-    def __init__(self, run, rule, out, engine):
+    def __init__(self, run, rule, out, engine, record=False):
         settings = {**run._asdict(), **rule._asdict(), "count": discs(run.phi, rule.side),
                     "dt": step(run), "skin": 4 if run.phi < 0.25 else 2.5,
-                    "script": content(HERE / "in.shear"), "package": content(engine[1])}
+                    "script": content(HERE / "in.shear"), "package": content(engine[1]),
+                    "record": "yes" if record else "no"}
         # Collisions, and how long they take: wells add events, and close clusters collide as they like.
-        super().__init__(out / "runs" / run.name, HERE / "in.shear", engine, settings,
+        super().__init__(out / "runs" / (run.name + "-events" * record), HERE / "in.shear", engine, settings,
                          work=settings["count"] * (1 if run.D == 0 else 2))
         self.dt, self.tries = settings["dt"], 0  # dt: halved where it is too long
         self.most_progress = rule.start + rule.most * rule.block
 
     def variables(self):
-        names = ("skin", "count", "phi", "e", "D", "w", "seed", "start", "block", "most")
+        names = ("skin", "count", "phi", "e", "D", "w", "seed", "start", "block", "most", "record")
         return {"dt": f"{self.dt:.6g}", **{name: self.settings[name] for name in names}}
 
     def again(self):
@@ -78,7 +84,11 @@ class ShearRun(ScriptRun):
     def figures(self):
         log = self.log()
         # Not self.dt: the run may be one that was started with half of it, and is read again.
-        return {"dt": float(re.search(r"^\s*Time step\s*:\s*(\S+)", log, re.M)[1]), **analyse.read_log(log)}
+        found = {"dt": float(re.search(r"^\s*Time step\s*:\s*(\S+)", log, re.M)[1]), **analyse.read_log(log)}
+        if self.settings["record"] == "yes":
+            start = self.settings["start"] / (self.settings["start"] + found["blocks"] * self.settings["block"])
+            found.update(events.evaluate(self.folder, found["dt"], start))
+        return found
 
     def share(self):
         """Of the longest that the run can be."""
@@ -89,12 +99,19 @@ class ShearRun(ScriptRun):
 def main():
     args = arguments()
     args.build = args.build.resolve()
-    out = program.out_folder(args, "shear-full" if args.full else "shear").resolve()
-    runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)
-    engine = launcher(args.build)
-    jobs = [ShearRun(run, rule, out, engine) for run in runs]
+    name = "shear-full" if args.full else "shear-thesis" if args.thesis else "shear"
+    out, engine = program.out_folder(args, name).resolve(), launcher(args.build)
+    if args.thesis:
+        jobs = [ShearRun(run, rule, out, engine) for run, rule in sweep.thesis()]
+        jobs += [ShearRun(run, rule, out, engine, record=True) for run, rule in sweep.recorded()]
+    else:
+        runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)
+        jobs = [ShearRun(run, rule, out, engine) for run in runs]
     require_ours(jobs, MARK, args.overwrite)
     results = carry_out(jobs, args.together)
+    if args.thesis:
+        program.leave_table(out, claims.report(results))
+        return
     program.leave_table(out, analyse.report(results))
     picture.draw(out, results)
 

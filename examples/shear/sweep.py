@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which runs the shear example makes."""
 
+import math
 from collections import namedtuple
+
+# 1 of the thesis's D* = D/(rho_s rate^2 (2 r)^5), at its L = rho_s = 1, in m rate^2 r^2.
+STARRED = 32 / (120 * math.pi)
 
 
 class Run(namedtuple("Run", "phi D w e")):
@@ -10,6 +14,11 @@ class Run(namedtuple("Run", "phi D w e")):
     @property
     def name(self):
         return f"phi{self.phi:.4f}-D{self.D:g}-w{self.w:g}-e{self.e:g}"
+
+
+def starred(phi, depth, w=1.001, e=0.9):
+    """Run of the depth D* of the thesis, at its width and restitution."""
+    return Run(phi, STARRED * depth, w, e)
 
 
 # Collisions per particle before the first block and in a block, blocks at most, seed of the start, side
@@ -38,3 +47,27 @@ def full():
     runs = [Run(round(phi, 3), D, w, e) for e in (0.8, 0.9) for D in (0, 1, 2, 4, 8, 12, 16, 24)
             for w in ((WIDTH,) if D == 0 else (1.0001, 1.001, 1.01, 1.05, 1.1)) for phi in fractions]
     return list(dict.fromkeys(subset() + runs))
+
+
+# The thesis's own parameters: depths D* at their fractions, widths at D* 10, fractions about its transitions.
+LIMITED = THESIS._replace(most=6)
+TEN, TEN_AT, TEN_WIDTHS = 10, (0.1, 0.3, 0.5), (1.0001, 1.001, 1.01, 1.1)
+DEPTHS = {0: FRACTIONS, 5: TEN_AT, 15: FRACTIONS}
+GROWING = Rule(1500, 250, 2, 1, 120)  # clusters make a run slow
+CLUSTERS = {25: (0.3, 0.37, 0.38, 0.4), 30: (0.2, 0.3)}
+# Runs at lower restitution or in narrower wells, compared with those at 0.9 and 1.001.
+LESS_ELASTIC = (starred(0.5, 15, e=0.8), starred(0.3, 25, e=0.8))
+NARROWER = (starred(0.3, 15, w=1.00001), starred(0.5, 15, w=1.00001))
+RECORDED = Rule(150, 50, 4, 1, 120)  # short runs at D* 10 that record every event
+
+
+def thesis():
+    """Runs and their rules."""
+    runs = [starred(phi, depth) for depth, fractions in DEPTHS.items() for phi in fractions]
+    runs += [starred(phi, TEN, w) for w in TEN_WIDTHS for phi in TEN_AT]
+    slow = [starred(phi, depth) for depth, fractions in CLUSTERS.items() for phi in fractions]
+    return [(run, LIMITED) for run in (*runs, *NARROWER)] + [(run, GROWING) for run in (*slow, *LESS_ELASTIC)]
+
+
+def recorded():
+    return [(starred(phi, TEN, w), RECORDED) for w in TEN_WIDTHS for phi in TEN_AT]

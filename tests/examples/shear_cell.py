@@ -13,6 +13,8 @@ from pathlib import Path
 import numpy as np
 
 import analyse
+import claims
+import events
 import run
 import sweep
 from cohesion_tests.theory import sheared_discs as theory
@@ -117,6 +119,50 @@ class ShearCell(unittest.TestCase):
         self.assertTrue({1, 2} <= set(sizes))
         for n in set(sizes):
             self.assertEqual(np.count_nonzero(sizes == n) % n, 0)
+
+
+    def test_record_of_events(self):
+        """By capture and escape, in wells so thin that held pairs are the same; every collision is recorded."""
+        thin = sweep.starred(0.3, sweep.TEN)
+        with tempfile.TemporaryDirectory(prefix="cohesion-") as name:
+            job = run.ShearRun(thin, sweep.Rule(60, 30, 4, 7, 50), Path(name), run.launcher(BUILD), record=True)
+            result, = run.carry_out([job], 1)
+            self.assertFalse((job.folder / "events.txt").exists())
+        hits = result["recorded"]["collision"]
+        self.assertLess(abs(hits / (result["collisions"][0] * result["strain"] * result["settings"]["count"]) - 1), 0.1)
+        for quantity in ("duration", "size"):
+            (a, da), (b, db) = result[f"captured_{quantity}"], result[quantity]
+            self.assertLess(abs(a - b), 4 * math.hypot(da, db))
+        (along, error) = result["free_along_shear"]
+        self.assertGreater(along - 3 * error, 0.5)
+
+
+class Events(unittest.TestCase):
+    def test_nearest_images_of_a_tilted_box(self):
+        at = np.array([[0, 0], [1, 9.5], [8, 0.5]])
+        np.testing.assert_allclose(events.separation((10, 3, at), 1, 2), (0, 1))
+
+    def test_along_the_shear(self):
+        """The upper disc is the faster one: from behind, then before the other."""
+        for x, along in ((-1, True), (1, False)):
+            at = np.array([[0, 0], [5, 5], [5 + x, 6]])
+            self.assertEqual(events.along_shear({3: (50, 0, at), 4: (50, 0, at)}, 3.5, 1, 2), along)
+        self.assertIsNone(events.along_shear({}, 3.5, 1, 2))
+
+    def test_size(self):
+        self.assertEqual(events.size({1: {2}, 2: {1, 3}, 3: {2}, 5: {6}, 6: {5}}), 2.5)
+
+
+class Claims(unittest.TestCase):
+    def test_trend(self):
+        up, same, down = ([(1, 0.1), (m, 0.1)] for m in (2, 1.1, 0))
+        for sets, verdict in (([up, up], "agrees"), ([up, same], "agrees"), ([same, same, up], "cannot tell"),
+                              ([up, up, down], "differs")):
+            self.assertEqual(claims.trend("", [("", s) for s in sets], 1)[2], verdict)
+
+    def test_regime(self):
+        for largest, pairs, name in ((0.6, 0.1, "strong"), (0.01, 0.9, "mild"), (0.2, 0.9, "between")):
+            self.assertEqual(claims.regime({"largest": [largest, 0], "pairs": [pairs, 0]}), name)
 
 
 class Reading(unittest.TestCase):
