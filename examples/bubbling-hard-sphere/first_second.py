@@ -44,6 +44,15 @@ def first_cavities(found, across, cell_height):
             "largest_cavity_cells": max((len(members) for _, every in found for members in every), default=0)}
 
 
+def satellites(found):
+    """The most cavities that are, at one time, wholly above the largest one."""
+    most = 0
+    for _, every in found:
+        top = max(every, key=len)[:, 0].max() if every else 0
+        most = max(most, sum(members[:, 0].min() > top for members in every))
+    return int(most)
+
+
 def circulation(bed):
     """Mean velocity upwards of the spheres in the centre and beside the walls, over the written times."""
     rows = []
@@ -72,6 +81,6 @@ def collisions_per_s(bed):
 
 def figures(bed):
     """Those of one bed that are one number."""
-    across, up = bed.cells
-    return {**first_cavities(history(bed), across, bed.height / up), **circulation(bed),
+    (across, up), found = bed.cells, history(bed)
+    return {**first_cavities(found, across, bed.height / up), "satellites": satellites(found), **circulation(bed),
             "jet_void_excess": jet_void_excess(bed), "collisions_per_s": collisions_per_s(bed)}
