@@ -70,17 +70,20 @@ def jet_void_excess(bed):
     return float(rows[left:left + jet].mean() - np.delete(rows, range(left, left + jet)).mean())
 
 
-def collisions_per_s(bed):
-    """Between the last line of the log before the gas changes, and its last."""
+def collisions(bed):
+    """Per second, between the last line of the log before the gas changes and its last: all, and those that the rule
+    against inelastic collapse has not made elastic."""
     gas = tables((bed.case / "log.lammps").read_text())[1:]  # without the run that settles the bed
-    time, count = (np.concatenate([table[name] for table in gas]) for name in ("Step", "v_collisions"))
+    time, every, elastic = (np.concatenate([table[name] for table in gas])
+                            for name in ("Step", "v_collisions", "v_elastic"))
     time = time * particle_step(bed.case)
     first = np.searchsorted(time, bed.begin + 1e-9) - 1
-    return float((count[-1] - count[first]) / (time[-1] - time[first]))
+    rate, of_rule = ((count[-1] - count[first]) / (time[-1] - time[first]) for count in (every, elastic))
+    return {"collisions_per_s": float(rate), "collisions_without_rule_per_s": float(rate - of_rule)}
 
 
 def figures(bed):
     """Those of one bed that are one number."""
     (across, up), found = bed.cells, history(bed)
     return {**first_cavities(found, across, bed.height / up), "satellites": satellites(found), **circulation(bed),
-            "jet_void_excess": jet_void_excess(bed), "collisions_per_s": collisions_per_s(bed)}
+            "jet_void_excess": jet_void_excess(bed), **collisions(bed)}
