@@ -128,8 +128,8 @@ def peaks(values, level):
 
 def figures(case):
     """Those of one bed that are one number. Pressures over the weight per area of the plate, heights over that at
-    rest; means, deviations and peaks after the entry `begin` of the bed, without it after START_UP, in runs of less than
-    twice that after their first quarter."""
+    rest; means, deviations and peaks after the entry `begin` of the bed, without it after START_UP, in runs of less
+    than twice that after their first quarter."""
     bed = Bed(Path(case))
     when, pressure = pressure_trace(bed)
     start = bed.size.get("begin", START_UP if when[-1] >= 2 * START_UP else when[-1] / 4)

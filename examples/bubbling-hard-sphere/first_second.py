@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the beds that begin at minimum fluidisation (entry `begin` of constant/bed): the first cavities, the circulation
-of the spheres and the number of collisions after the gas changes. Lengths in m, velocities in m/s."""
+"""Reads the beds that begin at minimum fluidisation (entry `begin` of constant/bed): the first cavities, the
+circulation of the spheres and the number of collisions after the gas changes. Lengths in m, velocities in m/s."""
 
 import numpy as np
 

@@ -24,17 +24,18 @@ CASE = HERE / "case"
 
 BEDS = ("b", "c", "d", "b-start", "b-weak", "c-start", "d-pulse")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
-READERS = (analyse, first_second, case_entries, cavities, ergun, foam_results)  # what the figures depend on besides the run
+# What the figures depend on besides the run
+READERS = (analyse, first_second, case_entries, cavities, ergun, foam_results)
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--beds", nargs="+", choices=BEDS, default=["b", "c"],
-                        help="b: jet, c: uniform gas, d: 40,000 spheres, which takes long; -start, -weak (jet of 2.6 m/s), "
-                        "-pulse: from minimum fluidisation (%(default)s)")
+                        help="b: jet, c: uniform gas, d: 40,000 spheres, which takes long; -start, -weak (jet of 2.6 "
+                        "m/s), -pulse: from minimum fluidisation (%(default)s)")
     parser.add_argument("--dissipation", nargs="+", type=shares, default=[(1, 1), (0, 0)], metavar="SHARE[:SHARE]",
-                        help="0 to 1, of spheres and of walls: share s means restitution 1 - s (1 - e) and friction s mu "
-                        "(1 0)")
+                        help="0 to 1, of spheres and of walls: share s means restitution 1 - s (1 - e) and friction "
+                        "s mu (1 0)")
     parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
                         help="to simulate (that of each bed, which is what expected.csv is of)")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
