@@ -113,6 +113,8 @@ class SmallBed(unittest.TestCase):
         bed = analyse.Bed(self.started.folder)
         speed = {}
         for time, folder in first_second.written_times(bed.case).items():
+            if time == 0:
+                continue
             text = (folder / "U").read_text()
             speed[time] = float(re.search(r"jet\s*\{[^}]*value\s+uniform \(\S+ (\S+) ", text)[1])
         self.assertAlmostEqual(speed[0.02], 1.8 / 0.4, delta=1e-6)
