@@ -29,7 +29,8 @@ SOURCES = {
         "docs/verification/source_hoomans.md", "Claims of Hoomans et al.",
         "Hoomans, Kuipers, Briels, van Swaaij, Chem. Eng. Sci. 51 (1996) 99",
         "The examples reproduce the poured bed, the minimum fluidisation velocity, and slugs that form only with\n"
-        "dissipation. The height of the ideal bed fluctuates here, and one of ten seeds exceeds the error of the energy."),
+        "dissipation. The height of the ideal bed fluctuates here, and one of ten seeds exceeds the error of the energy.\n"
+        "A bed with a weak jet has cracks, and the slugging bed has twice the collisions."),
     "van der Hoef et al. 2006": (
         "docs/verification/source_van_der_hoef.md", "Claims of van der Hoef et al.",
         "van der Hoef, Ye, van Sint Annaland, Andrews, Sundaresan, Kuipers, Adv. Chem. Eng. 31 (2006) 65",

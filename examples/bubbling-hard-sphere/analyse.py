@@ -51,6 +51,22 @@ class Bed:
         return ergun.minimum_fluidisation(void_fraction, self.diameter, self.density, rho, rho * self.gas["nu"],
                                           self.gravity)
 
+    def terminal_velocity(self):
+        """Of a single sphere in the gas, with the drag coefficient of Rowe and Henwood: eq. 38 of the source."""
+        rho, mu = self.gas["rho"], self.gas["rho"] * self.gas["nu"]
+        weight = (self.density - rho) * self.gravity * math.pi / 6 * self.diameter**3
+
+        def drag(velocity):
+            reynolds = rho * velocity * self.diameter / mu
+            coefficient = 0.44 if reynolds >= 1000 else 24 / reynolds * (1 + 0.15 * reynolds**0.687)
+            return coefficient * math.pi / 8 * self.diameter**2 * rho * velocity**2
+
+        low, high = 1e-6, 1e3
+        while high - low > 1e-9 * high:
+            middle = (low + high) / 2
+            low, high = (middle, high) if drag(middle) < weight else (low, middle)
+        return high
+
 
 def pressure_trace(bed):
     """Times and pressures in the middle, at the height of the trace, without the gas's own weight."""
@@ -112,10 +128,11 @@ def peaks(values, level):
 
 def figures(case):
     """Those of one bed that are one number. Pressures over the weight per area of the plate, heights over that at
-    rest; means, deviations and peaks after START_UP, in runs of less than twice that after their first quarter."""
+    rest; means, deviations and peaks after the entry `begin` of the bed, without it after START_UP, in runs of less
+    than twice that after their first quarter."""
     bed = Bed(Path(case))
     when, pressure = pressure_trace(bed)
-    start = START_UP if when[-1] >= 2 * START_UP else when[-1] / 4
+    start = bed.size.get("begin", START_UP if when[-1] >= 2 * START_UP else when[-1] / 4)
     pressure = pressure[when > start] / bed.weight
     moment, height = heights(bed)
     height = height[moment > start] / height[0]
@@ -128,4 +145,5 @@ def figures(case):
             "cavities": float(area.mean()), "widest_cavity": float(widest.max()),
             "slug_share_of_time": float((widest >= SLUG).mean()),
             "resting_void_fraction": void, "ergun_U_mf": bed.minimum_fluidisation(void),
+            "terminal_velocity": bed.terminal_velocity(),
             "seconds_per_second": seconds_per_second(bed)}

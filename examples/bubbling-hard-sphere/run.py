@@ -4,7 +4,7 @@ seeds, as many at a time as there are cores, and ends in a table beside the expe
 finished are not run again.
 
     run.py [--beds b c d] [--seeds N ...] [--time SECONDS] [--out FOLDER] [--overwrite] [--build FOLDER]
-           [--together N]
+           [--together N] [--dissipation SHARE[:SHARE] ...]
 """
 
 import argparse
@@ -12,6 +12,7 @@ import shutil
 from pathlib import Path
 
 import analyse
+import first_second
 import picture
 from cohesion_studies import case_entries, cavities, ergun, expected, foam_results, program, study_table
 from cohesion_studies.case_job import MARK, CaseJob, fingerprint
@@ -21,15 +22,20 @@ from cohesion_studies.job_pool import RunError, carry_out, require_ours
 HERE = Path(__file__).resolve().parent
 CASE = HERE / "case"
 
-BEDS = ("b", "c", "d")
+BEDS = ("b", "c", "d", "b-start", "b-weak", "c-start", "d-pulse")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
-READERS = (analyse, case_entries, cavities, ergun, foam_results)  # what the figures depend on besides the run
+# What the figures depend on besides the run
+READERS = (analyse, first_second, case_entries, cavities, ergun, foam_results)
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--beds", nargs="+", choices=BEDS, default=["b", "c"],
-                        help="b: jet, c: uniform gas, d: 40,000 spheres, which takes long (%(default)s)")
+                        help="b: jet, c: uniform gas, d: 40,000 spheres, which takes long; -start, -weak (jet of 2.6 "
+                        "m/s), -pulse: from minimum fluidisation (%(default)s)")
+    parser.add_argument("--dissipation", nargs="+", type=shares, default=[(1, 1), (0, 0)], metavar="SHARE[:SHARE]",
+                        help="0 to 1, of spheres and of walls: share s means restitution 1 - s (1 - e) and friction "
+                        "s mu (1 0)")
     parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
                         help="to simulate (that of each bed, which is what expected.csv is of)")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
@@ -40,13 +46,35 @@ def arguments():
     return parser.parse_args()
 
 
+def shares(text):
+    """Dissipation of spheres and of walls, for argparse."""
+    spheres, _, walls = text.partition(":")
+    found = tuple(study_table.number(part) for part in (spheres, walls or spheres))
+    if not all(isinstance(share, (int, float)) and 0 <= share <= 1 for share in found):
+        raise argparse.ArgumentTypeError(f"{text}: shares are 0 to 1")
+    return found
+
+
+def kind_of(bed, dissipation):
+    """Name of a bed with shares(): with all dissipation, with none, or with the shares."""
+    return {(1, 1): bed, (0, 0): f"{bed}-elastic"}.get(dissipation, f"{bed}-{dissipation[0]:g}-{dissipation[1]:g}")
+
+
+def tables(kinds):
+    """Text: a table of the beds with the same figures."""
+    groups = {}
+    for kind, results in kinds.items():
+        groups.setdefault(tuple(results[0]), {})[kind] = results
+    return "\n\n".join(study_table.side_by_side(group, digits=3) for group in groups.values())
+
+
 class HardBed(CaseJob):
-    """One bed. `changed`: entries of constant/bed that differ from the case."""
+    """One bed. `dissipation`: shares(); `changed`: entries of constant/bed that differ from the case."""
 
     def __init__(self, out, env, mark, bed, dissipation, seed, changed=None):
         self.bed, self.changed = bed, changed or {}
-        self.variables = {"dissipation": dissipation, "seed": seed}
-        kind = bed if dissipation else f"{bed}-elastic"
+        self.variables = {"dissipation": dissipation[0], "wall_dissipation": dissipation[1], "seed": seed}
+        kind = kind_of(bed, dissipation)
         size = {**case_entries.entries(CASE / f"constant/bed.{bed}"), **self.changed}
         super().__init__(out / f"{kind}-seed-{seed}", kind, env,
                          {"bed": bed, **self.changed, **self.variables, "fingerprint": mark}, READERS, CASE,
@@ -60,7 +88,8 @@ class HardBed(CaseJob):
             self.case.set(SCRIPT[0], f"{SCRIPT[1]}/{name}", value)
 
     def figures(self):
-        return analyse.figures(self.folder)
+        bed = analyse.Bed(self.folder)
+        return {**analyse.figures(self.folder), **(first_second.figures(bed) if "begin" in bed.size else {})}
 
 
 def main():
@@ -72,12 +101,12 @@ def main():
     mark = fingerprint(CASE, args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)
-            for seed in args.seeds for bed in args.beds for dissipation in (1, 0)]
+            for seed in args.seeds for bed in args.beds for dissipation in args.dissipation]
     require_ours(jobs, MARK, args.overwrite)
     kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
     # Peaks per second and shares of the written times are expected of a whole run alone.
     held = "" if changed else "\n\n" + expected.text(HERE / "expected.csv", study_table.means_of(kinds))
-    program.leave_table(out, study_table.side_by_side(kinds, digits=3) + held)
+    program.leave_table(out, tables(kinds) + held)
     picture.draw(out / "result.png", [job.folder for job in jobs[:len(kinds)]])
     print(f"ParaView: {out}/*/case.foam, gas and particles together")
 

@@ -55,7 +55,7 @@ def whole_bed(places, width):
 
 def energy(log, dt):
     """Of the table of the log: dict of times [s] and energies, all over the energy at the start, height above
-    the floor counted: motion (rotation with it), height, lost; the error, what of the whole is missing or too
+    the floor counted: motion (rotation with it), height, lost; rotation by itself; the error, what of the whole is missing or too
     much, and its bound.
 
     The grid's step is exact for free flight. With a collision at the time s into a step the momentum p that a
@@ -67,6 +67,7 @@ def energy(log, dt):
     parts = {name: values / start for name, values in
              (("motion", motion), ("height", table["f_down"]), ("lost", table["v_lost"]))}
     return {"time": table["Step"] * dt, **parts, "error": sum(parts.values()) - 1,
+            "rotation": table["c_rotation"] / start,
             "bound": GRAVITY * dt / 2 * table["v_wall_impulse"] / start}
 
 
@@ -86,6 +87,7 @@ def figures(folder, log, width, dt):
             "error_per_s_at_rest_percent": 100 * float(np.polyfit(time[rest], error[rest], 1)[0]),
             "error_over_bound": float((abs(error[1:]) / found["bound"][1:].clip(1e-12)).max()),
             "motion_end": float(found["motion"][-1]),
+            "rotation_percent": 100 * float(found["rotation"].max()),
             "overlap_diameters": float(max(0.0, 1 - closest(places) / DIAMETER)),
             "collisions": float(table["v_collisions"][-1]),
             "collisions_per_step": float(np.polyfit(table["Step"][rest], table["v_collisions"][rest], 1)[0]),

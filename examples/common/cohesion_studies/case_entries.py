@@ -38,8 +38,13 @@ def numbers(text, file):
 
 
 def entries(file):
-    """numbers() of a dictionary."""
-    return numbers(Path(file).read_text(), file)
+    """numbers() of a dictionary, those of the files that it includes before its own."""
+    file = Path(file)
+    text = file.read_text()
+    found = numbers(text, file)
+    names = re.findall(r'^#include\s+"(\w[\w.-]*)"', text, re.M)
+    included = [entries(file.parent / name) for name in names if (file.parent / name).is_file()]
+    return Numbers([pair for part in (*included, found) for pair in part.items()], file)
 
 
 def gravity(case):
