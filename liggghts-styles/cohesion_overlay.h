@@ -137,8 +137,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     update_all_ = tally_ || !pass.computeflag || !pass.shearupdate;
     list_all_ = update_all_ || pair_->cpl() || pair_->storeContactForces() ||
                 pair_->storeContactForcesStress();
+    if (tally_ && pass.computeflag) tally_->begin_pairs();
   }
-  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+  void endPass(SurfacesIntersectData& pass, ForceData&, ForceData&) override {
+    if (tally_ && pass.computeflag) tally_->end_pairs();
+  }
 
   /// The last to be called of a contact.
   void endSurfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,

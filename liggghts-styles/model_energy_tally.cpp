@@ -69,10 +69,7 @@ void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
     sampled_.adhesion += fraction * adhesion;
     sums_.store(fraction, {0.0, c.tangential_spring_energy(), c.rolling_energy, 0.0});
   }
-  const Vector3 dashpot = c.normal_dashpot();
-  normal_dashpot_force_[d.i] += dashpot;
-  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
-  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
+  add_normal_dashpot(d, c.normal_dashpot());
   add_forces(d, c);
 }
 
@@ -106,42 +103,58 @@ void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
 
 inline void ModelEnergyTally::add_forces(const ContactModels::SurfacesCloseData& d,
                                          const ContactSample& c) {
-  const bool is_own = is_own_pair(d);
-  const Vector3 force = c.force_on_i(), turn = cross(c.normal, c.tangential);
-  const auto add = [&](OnParticle& on, double sign, double lever) {
-    on.force += sign * force;
-    on.friction += sign * c.tangential;
-    on.torque -= lever * turn;
-  };
-  add(on_[d.i], 1.0, c.lever_i);
-  if (is_own) add(on_[d.j], -1.0, c.lever_j);
-  if (c.rolls) {
-    add_rolling(d.i, c.rolling_i);
-    if (is_own) add_rolling(d.j, c.rolling_j);
+  OnParticle& on_i = on_[d.i];
+  OnParticle* const on_j = is_own_pair(d) ? &on_[d.j] : nullptr;
+  on_i.friction += c.tangential;
+  if (on_j) on_j->friction -= c.tangential;
+  const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
+  on_i.dashpot += dashpot;
+  on_i.dashpot_torque -= c.lever_i * turn;
+  if (on_j) {
+    on_j->dashpot -= dashpot;
+    on_j->dashpot_torque -= c.lever_j * turn;
   }
-  const Vector3 dashpot = c.tangential_dashpot(), dashpot_turn = cross(c.normal, dashpot);
-  const auto add_dashpot = [&](OnParticle& on, double sign, double lever) {
-    on.dashpot += sign * dashpot;
-    on.dashpot_torque -= lever * dashpot_turn;
-  };
-  add_dashpot(on_[d.i], 1.0, c.lever_i);
-  if (is_own) add_dashpot(on_[d.j], -1.0, c.lever_j);
-  if (!d.is_wall) return;
-  const Vector3 v = vector(d.v_j);
+  if (c.rolls) add_rolling(d, c);
+  if (d.is_wall) add_wall(d, c, dashpot);
+}
+
+void ModelEnergyTally::add_rolling(const ContactModels::SurfacesCloseData& d,
+                                   const ContactSample& c) {
+  rolling_torque_.resize(on_.size());
+  rolling_torque_[d.i] += c.rolling_i;
+  if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
+}
+
+void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData& d,
+                                          const Vector3& dashpot) {
+  normal_dashpot_force_.resize(on_.size());
+  normal_dashpot_force_[d.i] += dashpot;
+  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
+  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
+}
+
+void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
+                                const Vector3& dashpot) {
+  const Vector3 force = c.force_on_i(), v = vector(d.v_j);
+  on_[d.i].force += force;
+  on_[d.i].torque += c.rolling_i - c.lever_i * cross(c.normal, c.tangential);
   wall_all_ += dot(force, v);
   wall_friction_ += dot(c.tangential, v);
   wall_tangential_dashpot_ += dot(dashpot, v);
 }
 
-void ModelEnergyTally::add_rolling(int i, const Vector3& torque) {
-  on_[i].torque += torque;
-  rolling_torque_[i] += torque;
+void ModelEnergyTally::add_engine_forces(double factor) {
+  const Atom* const atom = lmp_->atom;
+  for (int i = 0; i < atom->nlocal; i++) {
+    on_[i].force += factor * vector(atom->f[i]);
+    on_[i].torque += factor * vector(atom->torque[i]);
+  }
 }
 
 void ModelEnergyTally::clear() {
   on_.assign(lmp_->atom->nlocal, {});
-  rolling_torque_.assign(lmp_->atom->nlocal, {});
-  normal_dashpot_force_.assign(lmp_->atom->nlocal, {});
+  rolling_torque_.clear();
+  normal_dashpot_force_.clear();
   sampled_ = {};
   wall_all_ = wall_friction_ = wall_normal_dashpot_ = wall_tangential_dashpot_ = 0.0;
 }
@@ -194,8 +207,8 @@ void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts)
                                                     half * inverse_inertia * torque, half)
                                      : Passage::unread(velocity, spin, half);
     tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
-    rolling_.add({}, rolling_torque_[i], passage);
-    normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
+    if (!rolling_torque_.empty()) rolling_.add({}, rolling_torque_[i], passage);
+    if (!normal_dashpot_force_.empty()) normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
     if (moves) {
       const Vector3 weight = atom->rmass[i] * gravity.on(mask);
       const Vector3& other_torque = turns ? torque : on.torque;

@@ -47,6 +47,10 @@ class ModelEnergyTally {
                  const ContactModels::ForceData& on_j, const OtherModels&,
                  const cohesion::contact_solver::ContactEnergies& of_normal);
 
+  /// Before and after the engine has computed all pairs, which add their forces in between.
+  void begin_pairs() { add_engine_forces(-1.0); }
+  void end_pairs() { add_engine_forces(1.0); }
+
   /// Before the forces of a step, or of the set-up of a run, which is always read.
   void begin_step(bool is_read);
   void begin_set_up();
@@ -73,7 +77,13 @@ class ModelEnergyTally {
 
   void clear();
   void add_forces(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&);
-  void add_rolling(int i, const cohesion::Vector3& torque);
+  void add_rolling(const ContactModels::SurfacesCloseData&,
+                   const cohesion::contact::ContactSample&);
+  void add_normal_dashpot(const ContactModels::SurfacesCloseData&,
+                          const cohesion::Vector3& dashpot);
+  void add_wall(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
+                const cohesion::Vector3& dashpot);
+  void add_engine_forces(double factor);
   bool is_own_pair(const ContactModels::SurfacesCloseData& d) const {
     return !d.is_wall && d.j < lmp_->atom->nlocal;
   }
