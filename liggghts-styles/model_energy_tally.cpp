@@ -20,10 +20,9 @@ using cohesion::contact::ContactSample;
 
 namespace {
 
-inline ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
-                                const ContactModels::ForceData& on_i,
-                                const ContactModels::ForceData& on_j, double exponent,
-                                const OtherModels& models) {
+[[gnu::always_inline]] inline ContactSample contact_of(
+    const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
+    const ContactModels::ForceData& on_j, double exponent, const OtherModels& models) {
   ContactSample c;
   const Vector3 force = vector(on_i.delta_F);
   c.normal = vector(d.en);
@@ -56,8 +55,51 @@ inline ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
 }  // namespace
 
 /// A pair that another rank, or an image of itself, has as well.
-inline double ModelEnergyTally::owned_fraction(const ContactModels::SurfacesCloseData& d) const {
+[[gnu::always_inline]] inline double ModelEnergyTally::owned_fraction(
+    const ContactModels::SurfacesCloseData& d) const {
   return !d.is_wall && d.j >= lmp_->atom->nlocal ? 0.5 : 1.0;
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add_forces(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
+  OnParticle& on_i = on_[d.i];
+  OnParticle* const on_j = is_own_pair(d) ? &on_[d.j] : nullptr;
+  on_i.friction += c.tangential;
+  if (on_j) on_j->friction -= c.tangential;
+  const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
+  on_i.dashpot += dashpot;
+  on_i.dashpot_torque -= c.lever_i * turn;
+  if (on_j) {
+    on_j->dashpot -= dashpot;
+    on_j->dashpot_torque -= c.lever_j * turn;
+  }
+  if (c.rolls) add_rolling(d, c);
+  if (d.is_wall) add_wall(d, c, dashpot);
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add_rolling(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
+  rolling_torque_.resize(on_.size());
+  rolling_torque_[d.i] += c.rolling_i;
+  if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
+}
+
+void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData& d,
+                                          const Vector3& dashpot) {
+  normal_dashpot_force_.resize(on_.size());
+  normal_dashpot_force_[d.i] += dashpot;
+  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
+  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add_wall(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c, const Vector3& dashpot) {
+  const Vector3 force = c.force_on_i(), v = vector(d.v_j);
+  on_[d.i].force += force;
+  on_[d.i].torque += c.rolling_i - c.lever_i * cross(c.normal, c.tangential);
+  wall_all_ += dot(force, v);
+  wall_friction_ += dot(c.tangential, v);
+  wall_tangential_dashpot_ += dot(dashpot, v);
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
@@ -80,8 +122,9 @@ void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d
   add_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
 }
 
-void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-                                 const ContactEnergies& of_normal) {
+[[gnu::always_inline]] inline void ModelEnergyTally::add(const ContactModels::SurfacesCloseData& d,
+                                                         const ContactSample& c,
+                                                         const ContactEnergies& of_normal) {
   if (!d.computeflag) return;
   const double fraction = owned_fraction(d);
   if (is_read_) {
@@ -94,53 +137,16 @@ void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, cons
   add_forces(d, c);
 }
 
+void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
+                                 const ContactEnergies& of_normal) {
+  add(d, c, of_normal);
+}
+
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
                                  const ContactModels::ForceData& on_i,
                                  const ContactModels::ForceData& on_j, const OtherModels& models,
                                  const ContactEnergies& of_normal) {
-  add_exact(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
-}
-
-inline void ModelEnergyTally::add_forces(const ContactModels::SurfacesCloseData& d,
-                                         const ContactSample& c) {
-  OnParticle& on_i = on_[d.i];
-  OnParticle* const on_j = is_own_pair(d) ? &on_[d.j] : nullptr;
-  on_i.friction += c.tangential;
-  if (on_j) on_j->friction -= c.tangential;
-  const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
-  on_i.dashpot += dashpot;
-  on_i.dashpot_torque -= c.lever_i * turn;
-  if (on_j) {
-    on_j->dashpot -= dashpot;
-    on_j->dashpot_torque -= c.lever_j * turn;
-  }
-  if (c.rolls) add_rolling(d, c);
-  if (d.is_wall) add_wall(d, c, dashpot);
-}
-
-void ModelEnergyTally::add_rolling(const ContactModels::SurfacesCloseData& d,
-                                   const ContactSample& c) {
-  rolling_torque_.resize(on_.size());
-  rolling_torque_[d.i] += c.rolling_i;
-  if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
-}
-
-void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData& d,
-                                          const Vector3& dashpot) {
-  normal_dashpot_force_.resize(on_.size());
-  normal_dashpot_force_[d.i] += dashpot;
-  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
-  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
-}
-
-void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-                                const Vector3& dashpot) {
-  const Vector3 force = c.force_on_i(), v = vector(d.v_j);
-  on_[d.i].force += force;
-  on_[d.i].torque += c.rolling_i - c.lever_i * cross(c.normal, c.tangential);
-  wall_all_ += dot(force, v);
-  wall_friction_ += dot(c.tangential, v);
-  wall_tangential_dashpot_ += dot(dashpot, v);
+  add(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
 }
 
 void ModelEnergyTally::add_engine_forces(double factor) {
