@@ -96,7 +96,8 @@ void FixEnergyTally::setup(int) {
 
 void FixEnergyTally::pre_force(int) {
   const bigint now = update->ntimestep;
-  const bool may_be_continued = now == update->laststep || now == output->next;  // a restart file
+  // A later run may continue from the last step, or from a restart file.
+  const bool may_be_continued = now == update->laststep || now == output->next;
   tally_->begin_step(may_be_continued || reads_energy_tally(modify, now));
 }
 
