@@ -137,8 +137,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     update_all_ = tally_ || !pass.computeflag || !pass.shearupdate;
     list_all_ = update_all_ || pair_->cpl() || pair_->storeContactForces() ||
                 pair_->storeContactForcesStress();
+    if (tally_ && pass.computeflag) tally_->begin_pairs();
   }
-  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+  void endPass(SurfacesIntersectData& pass, ForceData&, ForceData&) override {
+    if (tally_ && pass.computeflag) tally_->end_pairs();
+  }
 
   /// The last to be called of a contact.
   void endSurfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
@@ -163,8 +166,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (!carries(contact)) return;
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
-    energies_ = {};
-    auto* const energies = tally_ ? &energies_ : nullptr;
+    auto* const energies = new_energies();
     if (!exact_->advance_persistent(contact, spring, force, energies)) {
       cohesion::contact_solver::ContactStep step;
       if (!exact_->advance(contact, contact.r, contact.en, step, energies)) step = {};
@@ -183,9 +185,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
     cohesion::contact_solver::ContactStep step;
-    energies_ = {};
-    if (!carries(near) || !exact_->advance(near, r, normal, step, tally_ ? &energies_ : nullptr))
-      return;
+    if (!carries(near) || !exact_->advance(near, r, normal, step, new_energies())) return;
     if (tally_) {
       cohesion::contact::ContactSample contact;
       contact.normal = cohesion::vector(normal);
@@ -281,16 +281,22 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     other_models_.rolls = !has("rolling_friction", "off");
   }
 
+  /// Of scheme exact; null: no tally is kept.
+  cohesion::contact_solver::ContactEnergies* new_energies() {
+    if (!tally_) return nullptr;
+    energies_ = {tally_->is_read()};
+    return &energies_;
+  }
+
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
     const bool attracts = carries(contact);
-    const auto sample =
-        Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), other_models_);
     if (exact_ && attracts)
-      tally_->add_exact(contact, sample, energies_);
+      tally_->add_exact(contact, on_i, on_j, other_models_, energies_);
     else
-      tally_->add_sampled(contact, sample,
-                          attracts ? adhesion_energy(contact, -contact.deltan) : 0);
+      tally_->add_sampled(
+          contact, on_i, on_j, normal_->exponent(), other_models_,
+          attracts && tally_->is_read() ? adhesion_energy(contact, -contact.deltan) : 0);
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -299,7 +305,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    tally_->add_sampled(near, contact, adhesion_energy(near, gap));
+    tally_->add_sampled(near, contact, tally_->is_read() ? adhesion_energy(near, gap) : 0.0);
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.

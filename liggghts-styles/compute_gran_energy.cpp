@@ -29,7 +29,7 @@ ComputeGranularEnergy::ComputeGranularEnergy(LAMMPS* engine, int count, char** w
          "'");
   if (find_hidden_fix<FixEnergyTally>(lmp))
     stop(lmp, FLERR, where, ": there is one already, and one tally is kept");
-  scalar_flag = vector_flag = 1;
+  scalar_flag = vector_flag = timeflag = 1;
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
@@ -48,6 +48,8 @@ void ComputeGranularEnergy::init() {
 
 void ComputeGranularEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
+  require_read(lmp, std::string("compute ") + id + " gran/energy",
+               hidden_fix<FixEnergyTally>(lmp).tally()->is_read());
   work_out();
   tally_.update(lmp, std::string("compute ") + id + " gran/energy", vector);
 }

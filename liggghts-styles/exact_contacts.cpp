@@ -170,12 +170,6 @@ const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData&
   return before ? before + offset_ : nullptr;
 }
 
-void ExactContacts::set_energies(const CachedContact& k, double contact_distance,
-                                 const SolvedStep& step, ContactEnergies& energies) {
-  set_normal_losses(*k.solver, step, energies);
-  set_normal_stored(*k.solver, step, contact_distance, energies.stored);
-}
-
 bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
                             const double* normal, ContactStep& step, ContactEnergies* energies) {
   const bool first = d.computeflag && !d.shearupdate;
@@ -220,9 +214,11 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   const double velocity_step = first ? 0.5 * k->solver->step() : k->solver->step();
   const ContactState before = state;
   step = k->solver->advance(now, external, velocity_step, state);
-  if (energies)
-    set_energies(*k, d.radsum, {now, external, first, before, state, step.force, step.dissipated},
-                 *energies);
+  if (energies) {
+    const SolvedStep solved{now, external, first, before, state, step.force, step.dissipated};
+    set_normal_losses(*k->solver, solved, *energies);
+    set_normal_stored(*k->solver, solved, d.radsum, *energies);
+  }
   if (step.normal.unresolved) cut_short_->found(names(d));
   write(d, state, step);
   exclude_impulse(*k, d, normal, state);

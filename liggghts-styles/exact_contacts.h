@@ -160,9 +160,6 @@ class ExactContacts {
     state.last_rate += change - std::copysign(common, change);
     return {velocity, change};
   }
-  static void set_energies(const CachedContact& k, double contact_distance,
-                           const cohesion::contact_solver::SolvedStep& step,
-                           ContactEnergies& energies);
   double acceleration(const ContactModels::SurfacesCloseData& d,
                       const cohesion::Vector3& normal) const;
   bool repeat(const CachedContact& k, const ContactModels::SurfacesCloseData& d,
@@ -224,8 +221,11 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   const ContactState before = state;
   if (!k->solver->advance_persistent(distance, state, step)) return false;
   if (state.phase != ContactState::persistent) return false;
-  if (energies)
-    set_energies(*k, contact.radsum, {at, 0.0, false, before, state, state.force, 0.0}, *energies);
+  if (energies) {
+    set_persistent_losses(*k->solver, before, state, step, *energies);
+    set_normal_stored(*k->solver, {at, 0.0, false, before, state, state.force, 0.0}, contact.radsum,
+                      *energies);
+  }
   force = state.force;
   set_friction(contact, *k, step, time_apart, spring);
   state.store_persistent(history);

@@ -17,6 +17,7 @@
 #include "force.h"
 #include "hidden_fix.h"
 #include "modify.h"
+#include "output.h"
 #include "pair_gran.h"
 #include "update.h"
 
@@ -93,9 +94,16 @@ void FixEnergyTally::setup(int) {
   for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
 }
 
+void FixEnergyTally::pre_force(int) {
+  const bigint now = update->ntimestep;
+  // A later run may continue from the last step, or from a restart file.
+  const bool may_be_continued = now == update->laststep || now == output->next;
+  tally_->begin_step(may_be_continued || reads_energy_tally(modify, now));
+}
+
 void FixEnergyTally::end_of_step() {
   tally_->end_step();
-  last_clock_ = clock();
+  if (tally_->is_read()) last_clock_ = clock();
 }
 
 void FixEnergyTally::write_restart(FILE* file) {

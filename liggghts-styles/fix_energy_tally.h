@@ -23,7 +23,7 @@ class FixEnergyTally : public LAMMPS_NS::Fix {
   void init() override;
   void setup_pre_force(int) override { tally_->begin_set_up(); }
   void setup(int) override;
-  void pre_force(int) override { tally_->begin_step(); }
+  void pre_force(int) override;
   void end_of_step() override;
   void post_run() override;
   void write_restart(FILE*) override;

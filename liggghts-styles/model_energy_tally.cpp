@@ -18,9 +18,11 @@ using cohesion::Vector3;
 using namespace cohesion::contact_solver;
 using cohesion::contact::ContactSample;
 
-ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
-                         const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
-                         double exponent, const OtherModels& models) {
+namespace {
+
+[[gnu::always_inline]] inline ContactSample contact_of(
+    const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
+    const ContactModels::ForceData& on_j, double exponent, const OtherModels& models) {
   ContactSample c;
   const Vector3 force = vector(on_i.delta_F);
   c.normal = vector(d.en);
@@ -38,7 +40,8 @@ ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
     c.tangential_stiffness = d.kt;
   }
   c.tangential_damping = d.gammat;
-  if (!models.rolls) return c;
+  c.rolls = models.rolls;
+  if (!c.rolls) return c;
   const Vector3 turn = cross(c.normal, c.tangential);
   c.rolling_i = vector(on_i.delta_torque) + c.lever_i * turn;
   if (!d.is_wall) c.rolling_j = vector(on_j.delta_torque) + c.lever_j * turn;
@@ -49,75 +52,128 @@ ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
   return c;
 }
 
+}  // namespace
+
 /// A pair that another rank, or an image of itself, has as well.
-double ModelEnergyTally::owned_fraction(const ContactModels::SurfacesCloseData& d) const {
+[[gnu::always_inline]] inline double ModelEnergyTally::owned_fraction(
+    const ContactModels::SurfacesCloseData& d) const {
   return !d.is_wall && d.j >= lmp_->atom->nlocal ? 0.5 : 1.0;
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add_forces(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
+  OnParticle& on_i = on_[d.i];
+  OnParticle* const on_j = is_own_pair(d) ? &on_[d.j] : nullptr;
+  on_i.friction += c.tangential;
+  if (on_j) on_j->friction -= c.tangential;
+  const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
+  on_i.dashpot += dashpot;
+  on_i.dashpot_torque -= c.lever_i * turn;
+  if (on_j) {
+    on_j->dashpot -= dashpot;
+    on_j->dashpot_torque -= c.lever_j * turn;
+  }
+  if (c.rolls) add_rolling(d, c);
+  if (d.is_wall) add_wall(d, c, dashpot);
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add_rolling(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
+  rolling_torque_.resize(on_.size());
+  rolling_torque_[d.i] += c.rolling_i;
+  if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
+}
+
+void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData& d,
+                                          const Vector3& dashpot) {
+  normal_dashpot_force_.resize(on_.size());
+  normal_dashpot_force_[d.i] += dashpot;
+  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
+  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add_wall(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c, const Vector3& dashpot) {
+  const Vector3 force = c.force_on_i(), v = vector(d.v_j);
+  on_[d.i].force += force;
+  on_[d.i].torque += c.rolling_i - c.lever_i * cross(c.normal, c.tangential);
+  wall_all_ += dot(force, v);
+  wall_friction_ += dot(c.tangential, v);
+  wall_tangential_dashpot_ += dot(dashpot, v);
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
                                    const ContactSample& c, double adhesion) {
   if (!d.computeflag) return;  // of a look that moves nothing
+  if (is_read_) {
+    const double fraction = owned_fraction(d);
+    sampled_.spring += fraction * c.spring_energy();
+    sampled_.adhesion += fraction * adhesion;
+    sums_.store(fraction, {0.0, c.tangential_spring_energy(), c.rolling_energy, 0.0});
+  }
+  add_normal_dashpot(d, c.normal_dashpot());
+  add_forces(d, c);
+}
+
+void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d,
+                                   const ContactModels::ForceData& on_i,
+                                   const ContactModels::ForceData& on_j, double exponent,
+                                   const OtherModels& models, double adhesion) {
+  add_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
+}
+
+[[gnu::always_inline]] inline void ModelEnergyTally::add(const ContactModels::SurfacesCloseData& d,
+                                                         const ContactSample& c,
+                                                         const ContactEnergies& of_normal) {
+  if (!d.computeflag) return;
   const double fraction = owned_fraction(d);
-  sampled_.spring += fraction * c.spring_energy();
-  sampled_.adhesion += fraction * adhesion;
-  sums_.store(fraction, {0.0, c.tangential_spring_energy(), c.rolling_energy, 0.0});
-  add_forces(d, c, c.normal_dashpot(), c.tangential_dashpot());
+  if (is_read_) {
+    StoredEnergies stored = of_normal.stored;
+    stored.tangential_spring = c.tangential_spring_energy();
+    stored.rolling_spring = c.rolling_energy;
+    sums_.store(fraction, stored);
+  }
+  sums_.lose_normal(fraction, of_normal);
+  add_forces(d, c);
 }
 
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
                                  const ContactEnergies& of_normal) {
-  if (!d.computeflag) return;
-  ContactEnergies all = of_normal;
-  all.stored.tangential_spring = c.tangential_spring_energy();
-  all.stored.rolling_spring = c.rolling_energy;
-  sums_.store(owned_fraction(d), all.stored);
-  sums_.lose(owned_fraction(d), all);
-  add_forces(d, c, {}, c.tangential_dashpot());
+  add(d, c, of_normal);
 }
 
-void ModelEnergyTally::add_forces(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-                                  const Vector3& normal_dashpot, const Vector3& dashpot) {
-  const Vector3 force = c.force_on_i(), turn = cross(c.normal, c.tangential);
-  const Vector3 dashpot_turn = cross(c.normal, dashpot);
-  const auto add = [&](OnParticle& on, double sign, double lever, const Vector3& rolling) {
-    on.force += sign * force;
-    on.torque += rolling - lever * turn;
-    on.friction += sign * c.tangential;
-    on.dashpot += sign * dashpot;
-    on.dashpot_torque -= lever * dashpot_turn;
-    on.rolling += rolling;
-    on.normal_dashpot += sign * normal_dashpot;
-  };
-  add(on_[d.i], 1.0, c.lever_i, c.rolling_i);
-  if (d.is_wall)
-    add_work_of_wall(d, c, normal_dashpot, dashpot);
-  else if (d.j < lmp_->atom->nlocal)
-    add(on_[d.j], -1.0, c.lever_j, c.rolling_j);
+void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
+                                 const ContactModels::ForceData& on_i,
+                                 const ContactModels::ForceData& on_j, const OtherModels& models,
+                                 const ContactEnergies& of_normal) {
+  add(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
 }
 
-void ModelEnergyTally::add_work_of_wall(const ContactModels::SurfacesCloseData& d,
-                                        const ContactSample& c, const Vector3& normal_dashpot,
-                                        const Vector3& dashpot) {
-  const Vector3 v = vector(d.v_j);
-  wall_all_ += dot(c.force_on_i(), v);
-  wall_friction_ += dot(c.tangential, v);
-  wall_tangential_dashpot_ += dot(dashpot, v);
-  wall_normal_dashpot_ += dot(normal_dashpot, v);
+void ModelEnergyTally::add_engine_forces(double factor) {
+  const Atom* const atom = lmp_->atom;
+  for (int i = 0; i < atom->nlocal; i++) {
+    on_[i].force += factor * vector(atom->f[i]);
+    on_[i].torque += factor * vector(atom->torque[i]);
+  }
 }
 
 void ModelEnergyTally::clear() {
   on_.assign(lmp_->atom->nlocal, {});
+  rolling_torque_.clear();
+  normal_dashpot_force_.clear();
   sampled_ = {};
   wall_all_ = wall_friction_ = wall_normal_dashpot_ = wall_tangential_dashpot_ = 0.0;
 }
 
-void ModelEnergyTally::begin_step() {
+void ModelEnergyTally::begin_step(bool is_read) {
+  is_read_ = is_read;
   sums_.begin_step();
   for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_}) some->begin_step();
   clear();
 }
 
 void ModelEnergyTally::begin_set_up() {
+  is_read_ = true;
   last_ = sums_.stored();
   sums_.begin_again();
   for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_})
@@ -152,17 +208,19 @@ void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts)
     const double inverse_inertia =
         turns ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
     const Vector3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
-    const Passage passage =
-        make_passage(vector(atom->v[i]), half * inverse_mass * force, vector(atom->omega[i]),
-                     half * inverse_inertia * torque, half);
+    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
+    const Passage passage = is_read_ ? make_passage(velocity, half * inverse_mass * force, spin,
+                                                    half * inverse_inertia * torque, half)
+                                     : Passage::unread(velocity, spin, half);
     tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
-    rolling_.add({}, on.rolling, passage);
-    normal_dashpot_.add(on.normal_dashpot, {}, passage);
+    if (!rolling_torque_.empty()) rolling_.add({}, rolling_torque_[i], passage);
+    if (!normal_dashpot_force_.empty()) normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
     if (moves) {
       const Vector3 weight = atom->rmass[i] * gravity.on(mask);
       const Vector3& other_torque = turns ? torque : on.torque;
-      sums_.end_step({force, on.force, weight, on.friction, other_torque, on.torque}, inverse_mass,
-                     inverse_inertia, passage, half, starts);
+      const ForcesAtLevel forces{force, on.force, weight, on.friction, other_torque, on.torque};
+      sums_.end_step(forces, passage);
+      if (is_read_ && !starts) sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
       if (!turns) sums_.external.add({}, -on.torque, passage);
     } else {
       // What leads a particle gives to the others.

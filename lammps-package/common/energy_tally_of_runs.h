@@ -48,6 +48,23 @@ void for_each_energy_tally(const Modify* modify, What what) {
     if (auto* const compute = dynamic_cast<EnergyTallyCompute*>(modify->compute[k])) what(*compute);
 }
 
+/// Whether an output reads one of them in this step. Outputs request that from the engine in
+/// advance.
+inline bool reads_energy_tally(const Modify* modify, bigint step) {
+  for (int k = 0; k < modify->ncompute; k++) {
+    Compute* const compute = modify->compute[k];
+    if (dynamic_cast<EnergyTallyCompute*>(compute) && compute->matchstep(step)) return true;
+  }
+  return false;
+}
+
+/// Stops when something reads a tally in a step without stored energies.
+inline void require_read(LAMMPS* lmp, const std::string& where, bool is_read) {
+  if (!is_read)
+    stop(lmp, FLERR, where, ": step ", lmp->update->ntimestep,
+         " has no stored energies, since no output requested them in advance");
+}
+
 /// Warns, once, when particles have come or gone since the last check.
 class SameParticles {
  public:

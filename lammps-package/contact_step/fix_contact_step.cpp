@@ -320,9 +320,9 @@ void FixContactStep::tally_work(bool starts) {
     const Vector3 kick = (half * inverse_mass[i]) * forces.all;
     const Vector3 turn = (half * inverse_inertia) * forces.torque;
     const auto passage = starts ? &Passage::start : &Passage::whole;
-    energy_tally.end_step(forces, inverse_mass[i], inverse_inertia,
-                          passage(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half),
-                          half, starts);
+    energy_tally.end_step(forces,
+                          passage(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half));
+    if (!starts) energy_tally.store_motion(forces, inverse_mass[i], inverse_inertia, half);
   }
 }
 

@@ -53,11 +53,14 @@ class ContactEnergyTally {
   /// The sum of those, [force].
   const cohesion::Vector3& friction(int i) const { return friction_[i]; }
 
-  /// Ends the step of a particle: EnergySums.
-  void end_step(const cohesion::contact_solver::ForcesAtLevel& forces, double inverse_mass,
-                double inverse_inertia, const cohesion::contact_solver::Passage& passage,
-                double half, bool starts) {
-    sums_.end_step(forces, inverse_mass, inverse_inertia, passage, half, starts);
+  /// End the step of a particle: EnergySums.
+  void end_step(const cohesion::contact_solver::ForcesAtLevel& forces,
+                const cohesion::contact_solver::Passage& passage) {
+    sums_.end_step(forces, passage);
+  }
+  void store_motion(const cohesion::contact_solver::ForcesAtLevel& forces, double inverse_mass,
+                    double inverse_inertia, double half) {
+    sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
 
   /// What a later run needs to go on.

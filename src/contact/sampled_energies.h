@@ -24,6 +24,7 @@ struct ContactSample {
   double lever_i = 0.0;               ///< from the centre to the plane of contact, [length]
   double lever_j = 0.0;               ///< [length]
 
+  bool rolls = false;            ///< whether there is rolling friction
   Vector3 rolling_i, rolling_j;  ///< torques but those of the tangential force, [force length]
   double rolling_energy = 0.0;   ///< of what is stored in them, [energy]
 

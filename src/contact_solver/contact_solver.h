@@ -123,6 +123,10 @@ class ContactSolver : public PairCourse {
   double exchanged(double external, const ContactState& state) const {
     return state.is_outside() ? 0.0 : account_.exchanged(persistent_force(state), external, state);
   }
+  /// exchanged() of a contact that was persistent in the last step and is so now, in `state`.
+  double exchanged_by_persistent(const ContactState& before, const ContactState& state) const {
+    return account_.exchanged(before.force, state.external_before, before);
+  }
   /// What the dashpot has dissipated since the last time level, as far as it is known only now,
   /// [energy].
   double dissipated(const StaggeredMotion& now, const ContactState& state) const {

@@ -88,10 +88,11 @@ struct ContactState {
 
 /// Result of a step of a persistent contact.
 struct PersistentStep {
-  double force;       ///< away from the partner, [force]
-  double repulsion;   ///< the part of spring and dashpot, [force]
-  double account;     ///< change of its energy account without exchanged(), [energy]
-  bool taut = false;  ///< ContactState::taut
+  double force;             ///< away from the partner, [force]
+  double repulsion;         ///< the part of spring and dashpot, [force]
+  double account;           ///< change of its energy account without exchanged(), [energy]
+  double dissipated = 0.0;  ///< by the dashpot since the last time level, [energy]
+  bool taut = false;        ///< ContactState::taut
   /// True rate of the distance, where the law's account needs it, [length/time].
   double true_rate = 0.0;
   /// Of a law without a closed form: its point at this overlap, and its radius_stiffness at the

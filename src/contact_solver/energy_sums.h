@@ -7,23 +7,28 @@
 
 namespace cohesion::contact_solver {
 
-/// How a particle passes a time level: its velocity and spin in the half steps before and after it,
-/// and how long these are, [time].
+/// How a particle passes a time level: its mean velocity and spin while the forces of the time
+/// level act, which is for `length`, and those in the half step after it, which lasts `after`,
+/// [time].
 struct Passage {
-  Vector3 velocity_before, velocity_after;  ///< [length/time]
-  Vector3 spin_before, spin_after;          ///< [1/time]
-  double before, after;
+  Vector3 velocity, spin;              ///< [length/time], [1/time]
+  Vector3 velocity_after, spin_after;  ///< unused if `after` is 0
+  double length, after;
 
+  /// Of a step of two halves at a time level that no output reads.
+  static Passage unread(const Vector3& velocity, const Vector3& spin, double half) {
+    return {velocity, spin, {}, {}, 2.0 * half, 0.0};
+  }
   /// Of a step of two halves: `kick` and `turn` are the changes of velocity and spin in each.
   static Passage whole(const Vector3& velocity, const Vector3& kick, const Vector3& spin,
                        const Vector3& turn, double half) {
-    return {velocity - kick, velocity + kick, spin - turn, spin + turn, half, half};
+    return {velocity, spin, velocity + kick, spin + turn, 2.0 * half, half};
   }
   /// Of the half step after the time level alone, where a run goes on from the last one with new
   /// forces.
   static Passage second_half(const Vector3& velocity, const Vector3& kick, const Vector3& spin,
                              const Vector3& turn, double half) {
-    return {{}, velocity + kick, {}, spin + turn, 0.0, half};
+    return {velocity + kick, spin + turn, velocity + kick, spin + turn, half, half};
   }
   /// Of the first step of a run, whose first velocity is that of the time level: the work is that
   /// of the mean velocity.
@@ -33,35 +38,36 @@ struct Passage {
   }
 };
 
-/// The work of forces of one kind, of a force at a time level with the velocities before and after
-/// it, [energy].
+/// The work of forces of one kind, [energy]. That of the forces of a time level includes the half
+/// step after it, whose share is known at time levels that an output reads.
 class WorkOfForces {
  public:
   /// Before the time level.
-  double so_far() const { return so_far_; }
+  double so_far() const { return all_ - later_; }
   /// After it, by the forces of it.
   double later() const { return later_; }
 
-  void begin_step() {
-    so_far_ += later_;
-    later_ = 0.0;
-  }
+  void begin_step() { later_ = 0.0; }
   /// The forces of this time level are worked out again.
-  void begin_again() { later_ = 0.0; }
-  void restore_later(double work) { later_ = work; }
+  void begin_again() { restore_later(0.0); }
+  void restore_later(double work) {
+    all_ += work - later_;
+    later_ = work;
+  }
 
   void add(const Vector3& force, const Vector3& torque, const Passage& p) {
-    so_far_ += p.before * (dot(force, p.velocity_before) + dot(torque, p.spin_before));
-    later_ += p.after * (dot(force, p.velocity_after) + dot(torque, p.spin_after));
+    all_ += p.length * (dot(force, p.velocity) + dot(torque, p.spin));
+    if (p.after > 0.0)
+      later_ += p.after * (dot(force, p.velocity_after) + dot(torque, p.spin_after));
   }
   /// Of something that moves as prescribed.
   void add(double before, double after) {
-    so_far_ += before;
+    all_ += before + after;
     later_ += after;
   }
 
  private:
-  double so_far_ = 0.0, later_ = 0.0;
+  double all_ = 0.0, later_ = 0.0;
 };
 
 /// What acts on a particle at a time level.
@@ -122,16 +128,23 @@ class EnergySums {
     add_to(lost_, fraction, energies.before);
     add_to(lost_later_, fraction, energies.after);
   }
+  /// The same of its normal motion alone.
+  void lose_normal(double fraction, const ContactEnergies& energies) {
+    exchanged_ += fraction * energies.exchanged;
+    lost_.normal_damping += fraction * energies.before.normal_damping;
+    lost_later_.normal_damping += fraction * energies.after.normal_damping;
+  }
   void lose(const ContactLosses& lost) { add_to(lost_, 1.0, lost); }
 
-  /// Adds the work of what acts on a particle that moves freely. `starts`: in the first step of a
-  /// run that continues no other, when nothing is stored beside the kinetic energy.
-  void end_step(const ForcesAtLevel& f, double inverse_mass, double inverse_inertia,
-                const Passage& passage, double half, bool starts) {
+  /// Adds the work of what acts on a particle that moves freely.
+  void end_step(const ForcesAtLevel& f, const Passage& passage) {
     external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
     friction.add(f.friction, f.of_contacts_torque, passage);
-    if (starts) return;
-    // Without contacts nothing is stored.
+  }
+  /// Adds what is stored beside the kinetic energy of such a particle: nothing in the first step of
+  /// a run that continues no other, nor without contacts. `half`: of a step, [time].
+  void store_motion(const ForcesAtLevel& f, double inverse_mass, double inverse_inertia,
+                    double half) {
     motion_ -= 0.5 * half * half *
                (inverse_mass * dot(2.0 * f.all - f.of_contacts, f.of_contacts) +
                 inverse_inertia * dot(2.0 * f.torque - f.of_contacts_torque, f.of_contacts_torque));

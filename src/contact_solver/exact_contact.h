@@ -176,7 +176,7 @@ class ExactContact {
       const SolvedStep solved{at,           external,         first, before, history.normal,
                               normal.force, normal.dissipated};
       set_normal_losses(solver_, solved, *energies);
-      set_normal_stored(solver_, solved, bodies_.distance(), energies->stored);
+      set_normal_stored(solver_, solved, bodies_.distance(), *energies);
     }
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);

@@ -105,6 +105,7 @@ class IntegratedContact {
     step.repulsion = friction_load_ - own;
     step.account = here.work + here.dissipated +
                    0.5 * step_ * step.force * (now.rate + 0.5 * step_ * centrifugal);
+    step.dissipated = here.dissipated;
     step.true_rate = -here.rate;
     step.at = here.at;
     step.radius_stiffness_before = here.radius_stiffness_before;

@@ -112,7 +112,7 @@ class LinearContact {
                                                  PersistentStep& step) const {
     const bool taut = is_taut(now.overlap, load);
     if (!force_of(now, taut, load, step)) return false;
-    step.account = dissipated(state.last_rate, now.rate);
+    set_dissipated(state.last_rate, now.rate, step);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
     return true;
   }
@@ -120,7 +120,7 @@ class LinearContact {
   [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load, double last_rate,
                                             PersistentStep& step) const {
     if (is_taut(now.overlap, load) || !force_of(now, false, load, step)) return false;
-    step.account = dissipated(last_rate, now.rate);
+    set_dissipated(last_rate, now.rate, step);
     return true;
   }
   /// The same in the first step after a resolved one.
@@ -151,9 +151,9 @@ class LinearContact {
   /// What the dashpot of a persistent contact has dissipated since the last time level, [energy].
   double dissipation(const ContactPoint& now, const StaggeredMotion&, const ContactState& state,
                      double /*adhesion_energy*/) const {
-    const double before = state.last_rate, after = now.rate;
-    return dissipated(before, after) +
-           0.5 * discrete_.damping * whole_step_.time * after * (before + after);
+    PersistentStep step;
+    set_dissipated(state.last_rate, now.rate, step);
+    return step.dissipated;
   }
   /// The true rate of the distance at a time level that a persistent contact has reached, by the
   /// closed form through the last two overlaps. outward [length/time^2]: acceleration by load and
@@ -268,6 +268,12 @@ class LinearContact {
   [[gnu::always_inline]] double dissipated(double before, double after) const {
     return before * (before_before_ * before + before_after_ * after) +
            after_after_ * after * after;
+  }
+  [[gnu::always_inline]] void set_dissipated(double before, double after,
+                                             PersistentStep& step) const {
+    step.account = dissipated(before, after);
+    step.dissipated =
+        step.account + 0.5 * discrete_.damping * whole_step_.time * after * (before + after);
   }
   void set_dissipation() {
     const DampedOscillator::Propagator& p = whole_step_;

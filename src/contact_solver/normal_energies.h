@@ -29,10 +29,23 @@ void set_normal_losses(const Solver& solver, const SolvedStep& step, ContactEner
   if (!step.first) energies.exchanged = solver.exchanged(step.used(), step.before);
 }
 
-/// Sets what the normal motion of a contact stores at the time level.
+/// The same of a contact that was persistent in the last step and is so in `step`.
+template <class Solver>
+[[gnu::always_inline]] inline void set_persistent_losses(const Solver& solver,
+                                                         const ContactState& before,
+                                                         const ContactState& after,
+                                                         const PersistentStep& step,
+                                                         ContactEnergies& energies) {
+  energies.before.normal_damping = step.dissipated;
+  energies.exchanged = solver.exchanged_by_persistent(before, after);
+}
+
+/// Sets what the normal motion of a contact stores at a time level that is read.
 template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
-                       StoredEnergies& stored) {
+                       ContactEnergies& energies) {
+  if (!energies.is_read) return;
+  StoredEnergies& stored = energies.stored;
   const bool stands =
       step.before.phase == ContactState::unknown && step.at.distance <= solver.entry_distance();
   if (step.before.in_range() || stands) {

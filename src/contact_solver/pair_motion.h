@@ -72,6 +72,8 @@ struct ContactLosses {
 
 /// The energies of a contact at a time level, beside the kinetic energy 1/2 m v_(n-1/2) v_(n+1/2).
 struct ContactEnergies {
+  /// Whether an output reads them at this time level. Otherwise `stored` is not evaluated.
+  bool is_read = true;
   StoredEnergies stored{};
   ContactLosses before{};  ///< since the time level before, as far as they are known only now
   ContactLosses after{};   ///< up to the next time level

@@ -44,8 +44,9 @@ struct Particle {
                                  : Passage::whole(v, kick, omega, turn, half);
     sums.store(1.0, {0.5 * stiffness * dot(x, x), 0.0, 0.0, 0.0});
     dashpot.add(damped, {}, passage);
-    sums.end_step({force, spring + damped, mass * gravity, {}, torque, of_contact}, 1.0 / mass,
-                  1.0 / inertia, passage, half, starts);
+    const ForcesAtLevel forces{force, spring + damped, mass * gravity, {}, torque, of_contact};
+    sums.end_step(forces, passage);
+    if (!starts) sums.store_motion(forces, 1.0 / mass, 1.0 / inertia, half);
   }
   void move(double half) {
     v += (half / mass) * force;
@@ -107,12 +108,24 @@ TEST(EnergySums, StartCountsTheWorkOfTheMeanVelocity) {
   EnergySums sums;
   const Vector3 v{0.4, 0.1, -0.2}, push{0.3, 0.2, 0.1};
   const Vector3 kick = (0.5 * dt / mass) * push;
-  sums.end_step({push, {}, {}, {}, {}, {}}, 1.0 / mass, 1.0 / inertia,
-                Passage::start(v, kick, {}, {}, 0.5 * dt), 0.5 * dt, true);
+  sums.end_step({push, {}, {}, {}, {}, {}}, Passage::start(v, kick, {}, {}, 0.5 * dt));
   EXPECT_EQ(sums.external.so_far(), 0.0);
   sums.begin_step();
   const Vector3 after = v + kick;
   EXPECT_NEAR(sums.external.so_far(), 0.5 * mass * (dot(after, after) - dot(v, v)), 1e-16);
+}
+
+/// The half step after a time level is part of the work whether or not an output reads that level.
+TEST(EnergySums, WorkDoesNotDependOnWhoReads) {
+  const Vector3 v{0.4, 0.1, -0.2}, kick{0.03, 0.0, 0.01}, spin{0.5, -0.1, 0.2},
+      turn{0.0, 0.02, 0.0};
+  const Vector3 push{0.3, 0.2, 0.1}, torque{0.01, 0.0, 0.02};
+  WorkOfForces read, unread;
+  read.add(push, torque, Passage::whole(v, kick, spin, turn, 0.5 * dt));
+  unread.add(push, torque, Passage::unread(v, spin, 0.5 * dt));
+  EXPECT_NE(read.so_far(), unread.so_far());
+  for (WorkOfForces* const work : {&read, &unread}) work->begin_step();
+  EXPECT_EQ(read.so_far(), unread.so_far());
 }
 
 /// What two processes have of a pair is half of it each; what is lost after the time level counts
