@@ -26,6 +26,7 @@ KNOWN = (
     Warned("made collisions elastic and frictionless", "inelastic collapse", True),
     Warned("particles with their centres behind a wall", "particles behind a wall at the start", True),
     Warned("particles that a wall cuts through", "a wall through particles at the start", True),
+    Warned("is near a face of region", "a narrow region", False),
     Warned("particles fly up to .* above 70 % of the", "flights near the list's limit", False),
     Warned("([^ ]*) pairs of hard cores .*overlap", r"\1 hard cores overlap at the start", True),
 )
