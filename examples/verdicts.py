@@ -28,8 +28,9 @@ SOURCES = {
     "Hoomans et al. 1996": (
         "docs/verification/source_hoomans.md", "Claims of Hoomans et al.",
         "Hoomans, Kuipers, Briels, van Swaaij, Chem. Eng. Sci. 51 (1996) 99",
-        "The examples reproduce the poured bed, the minimum fluidisation velocity, and slugs that form only with\n"
-        "dissipation. The height of the ideal bed fluctuates here, and one of ten seeds exceeds the error of the energy.\n"
+        "The examples reproduce the poured bed, the minimum fluidisation velocity, and slugs with dissipation.\n"
+        "Without dissipation slugs depend on the start of the bed. The height of the ideal bed fluctuates here, and one of\n"
+        "ten seeds exceeds the error of the energy.\n"
         "A bed with a weak jet has cracks, and the slugging bed has twice the collisions."),
     "van der Hoef et al. 2006": (
         "docs/verification/source_van_der_hoef.md", "Claims of van der Hoef et al.",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads one finished bed: time means of void fraction and velocity of the spheres across the bed, and how far they are
-from the measured profiles. Lengths in m, velocities in m/s."""
+"""Reads one finished bed: time means of void fraction and velocity of the spheres across the bed, compared with measured
+profiles. Lengths in m, velocities in m/s."""
 
 import csv
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ def measured(file):
 
 @dataclass
 class Bed:
-    """What a case is of, from its dictionaries, and its time means."""
+    """Entries of a finished case, and its time means."""
 
     case: Path
 
@@ -41,8 +41,8 @@ class Bed:
         self.blocks = list(zip([start, *ends], ends))  # begin and end of the times between those written
 
     def mean_void_fraction(self, span):
-        """Of a span of time, between times written, over the thickness of the bed: (up, across). What is written are
-        means from averageFrom on."""
+        """Means over a span between written times and over the thickness of the bed: an array (up, across). The written
+        fields are means since averageFrom."""
         across, deep, up = (int(self.size[name]) for name in ("across", "deep", "up"))
         sums = []
         for time in span:
@@ -102,13 +102,17 @@ def mean_velocity(rows, height):
 
 
 def figures(case, table):
-    """Of one bed, differences from each profile that the `table` has for its gas velocity: root of the mean square,
-    mean, and the standard error of that mean."""
+    """Of one bed, for each profile that the `table` has for its gas velocity: means over the measured points, measured
+    and simulated, and the largest values; of the differences the root of the mean square and the mean, with the
+    standard error of that mean."""
     bed, found = Bed(case), {}
     for (gas, quantity, height), (x, values) in measured(table).items():
         if float(gas) == bed.size["gasVelocity"]:
-            difference = np.interp(x, *bed.profile(quantity, height)) - values
+            simulated = np.interp(x, *bed.profile(quantity, height))
+            difference = simulated - values
             name = f"{quantity}_{height}"
+            for of, some in (("measured", values), ("simulated", simulated)):
+                found[f"{name}_{of}"], found[f"{name}_{of}_largest"] = float(some.mean()), float(some.max())
             found[f"{name}_rms"] = float(np.sqrt((difference**2).mean()))
             found[f"{name}_mean"] = float(difference.mean())
             found[f"{name}_error"] = bed.error(quantity, height)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a measured bed at both velocities of the gas, as many at a time as there are cores, and ends in a table of the
-differences from the measured profiles, beside the expectations, and a picture. Beds that are finished are not run again.
+comparison with the measured profiles and the expectations, and a picture. Beds that are finished are not run again.
 
     run.py [--gas 0.6 0.9] [--seeds N ...] [--time SECONDS] [--out FOLDER] [--overwrite] [--build FOLDER]
            [--together N]
@@ -22,7 +22,7 @@ MEASURED = HERE / "measured.csv"
 
 GAS = ("0.6", "0.9")  # superficial velocities [m/s] with a measurement
 SHORTEST = 2  # s
-READERS = (analyse, case_entries, foam_results)  # what the figures depend on besides the run
+READERS = (analyse, case_entries, foam_results)  # modules that evaluate finished runs
 
 
 def arguments():

@@ -54,9 +54,9 @@ def whole_bed(places, width):
 
 
 def energy(log, dt):
-    """Of the table of the log: dict of times [s] and energies, all over the energy at the start, height above
-    the floor counted: motion (rotation with it), height, lost; rotation by itself; the error, what of the whole is missing or too
-    much, and its bound.
+    """Of the table of the log: dict of times [s] and energies, all over the energy at the start, height above the floor
+    counted: motion (rotation included), height, lost; rotation alone; the error, which is the missing or excess energy,
+    and its bound.
 
     The grid's step is exact for free flight. With a collision at the time s into a step the momentum p that a
     wall gives upwards changes the energy by g p (dt/2 - s) more than the collision takes; between spheres these

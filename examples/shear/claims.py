@@ -19,7 +19,7 @@ FIFTH = 0.1, 0.3  # "roughly 20%"
 
 
 class Runs:
-    """Results by run; those that recorded events apart."""
+    """Results by run. Runs that recorded events are stored separately."""
 
     def __init__(self, raw):
         self.plain, self.recorded = {}, {}
@@ -49,10 +49,11 @@ def sign(difference):
 
 
 def overall(verdicts):
-    """A claim about several sets differs where one does, and agrees where at least half do and none differs."""
+    """Of a claim about several sets: differs if one set differs, agrees if more than half agree, otherwise cannot
+    tell."""
     if "differs" in verdicts:
         return "differs"
-    return "agrees" if 2 * list(verdicts).count("agrees") >= len(verdicts) else "cannot tell"
+    return "agrees" if 2 * list(verdicts).count("agrees") > len(verdicts) else "cannot tell"
 
 
 def trend(statement, sets, direction):
@@ -78,32 +79,13 @@ def regime_text(run, result):
 
 
 def regimes(runs):
-    """4.2.1 and fig. 4.3."""
-    mild = {run: runs.plain[run] for run in (sweep.starred(phi, depth) for depth, fractions in sweep.DEPTHS.items()
-                                             if depth for phi in fractions)}
-    clusters = {depth: {phi: runs.plain[sweep.starred(phi, depth)] for phi in fractions}
-                for depth, fractions in sweep.CLUSTERS.items()}
-    expected = {25: ("mild", "mild", "strong", "strong"), 30: ("mild", "strong")}
-    seen = {depth: tuple(map(regime, of.values())) for depth, of in clusters.items()}
-    texts = [regime_text(sweep.starred(phi, depth), r) for depth, of in clusters.items() for phi, r in of.items()]
-    odd = [regime_text(run, r) for run, r in mild.items() if regime(r) != "mild"]
-    strong = any("strong" in s for s in seen.values())
-    yield ("4.2.1 one large agglomerate at D* 25 or 30, mostly pairs up to 15", "; ".join([*texts, "not mild:", *odd]),
-           "agrees" if strong and not odd else "differs" if odd else "cannot tell")
-    between = any("between" in s for s in seen.values())
-    yield ("4.2.1 abrupt in phi: no run between the regimes", str(seen),
-           "cannot tell" if not strong else "differs" if between else "agrees")
-    yield ("Fig. 4.3 transition of D* 25 between 0.37 and 0.38, D* 30 between 0.2 and 0.3", str(seen),
-           "agrees" if seen == expected else "differs")
-    narrower = {"mild": 0, "between": 1, "strong": 2}
-    steps, texts = [], []
-    for run in (*sweep.LESS_ELASTIC, *sweep.NARROWER):
-        beside = sweep.Run(run.phi, run.D, 1.001, sweep.RESTITUTION)
-        steps.append(narrower[regime(runs.plain[run])] - narrower[regime(runs.plain[beside])])
-        texts += [regime_text(r, runs.plain[r]) for r in (beside, run)]
-    of_e, of_w = steps[:len(sweep.LESS_ELASTIC)], steps[len(sweep.LESS_ELASTIC):]
-    yield ("4.2.2 mild regime is narrower at e 0.8 and narrow wells", "; ".join(texts),
-           "differs" if min(steps) < 0 else "agrees" if max(of_e) > 0 and max(of_w) > 0 else "cannot tell")
+    """4.2.1, without the depths at which agglomerates grow."""
+    mild = {run: runs.plain[run] for depth, fractions in sweep.DEPTHS.items() if depth
+            for run in (sweep.starred(phi, depth) for phi in fractions)}
+    others = [regime_text(run, result) for run, result in mild.items() if regime(result) != "mild"]
+    yield (f"4.2.1 mostly pairs, no large agglomerate, up to D* {MOST}",
+           f"{len(mild) - len(others)} of {len(mild)} runs; others: {'; '.join(others) or 'none'}",
+           "differs" if others else "agrees")
 
 
 def agglomerates(runs):
@@ -133,11 +115,11 @@ def stress(runs):
         yield trend(f"Fig. {figure}: {quantity} falls with D*",
                     [(f"phi {phi}", runs.along(quantity, [phi], ENDS)) for phi in DENSE], -1)
         ratios = [over(quantity, phi) for phi in DENSE + DILUTE]
-        calm = [abs(r - 1) + SURE * e < HARDLY for r, e in ratios[len(DENSE):]]
-        loud = [abs(r - 1) - SURE * e > HARDLY for r, e in ratios[len(DENSE):]]
+        unchanged = [abs(r - 1) + SURE * e < HARDLY for r, e in ratios[len(DENSE):]]
+        changed = [abs(r - 1) - SURE * e > HARDLY for r, e in ratios[len(DENSE):]]
         yield (f"Fig. {figure}: {quantity} hardly changes below phi 0.3",
                f"D* {MOST} over 0 at phi {', '.join(map(str, DENSE + DILUTE))}: {row(ratios)}",
-               "agrees" if all(calm) else "differs" if any(loud) else "cannot tell")
+               "agrees" if all(unchanged) else "differs" if any(changed) else "cannot tell")
     for component in ("xx", "xy"):
         yield from parts(runs, component)
     for quantity in ("stress_xx", "stress_yy"):
@@ -155,16 +137,16 @@ def parts(runs, component):
     text = " | ".join(f"phi {phi}, D* {LEAST} to {MOST}: {t}" for phi, t in texts.items())
     sets = [(f"phi {phi}", runs.along(f"collision_{component}", [phi], ENDS)) for phi in COLLISIONAL]
     if component == "xy":
-        yield trend("Fig. 4.11: collision part of the shear stress becomes smaller", sets[1:], -1)
+        yield trend("Fig. 4.11: collision part of the shear stress becomes smaller", sets, -1)
         yield "Fig. 4.11: parts of the change", text, "not decisive"
         return
     shares = []
     for phi in DENSE:
-        few = [gain(kind, phi) for kind in ("approach", "escape")]
+        two = [gain(kind, phi) for kind in ("approach", "escape")]
         fall = (sum(gain(kind, phi)[0] for kind in analyse.KINDS if kind != "kinetic"),
                 # The parts' own errors are far larger than that of their sum: events of a pair come together.
                 math.hypot(*(runs.at("stress_xx", phi, depth)[1] for depth in (LEAST, MOST))))
-        shares.append(ratio((few[0][0] + few[1][0], math.hypot(few[0][1], few[1][1])), fall))
+        shares.append(ratio((two[0][0] + two[1][0], math.hypot(two[0][1], two[1][1])), fall))
     within = ["agrees" if FIFTH[0] < s - SURE * e and s + SURE * e < FIFTH[1] else
               "differs" if s + SURE * e < FIFTH[0] or s - SURE * e > FIFTH[1] else "cannot tell" for s, e in shares]
     yield ("Figs 4.7a, b: approach and escape make a fifth of the fall",
@@ -182,9 +164,9 @@ def parts(runs, component):
 def orientations(runs):
     """Fig. 4.12."""
     shares = [[runs.event(f"{kind}_along_shear", phi) for phi in COLLISIONAL_TEN] for kind in ("free", "captured")]
-    free, bound = ([sign((m - 0.5, e)) for m, e in of] for of in shares)
+    free, captured = ([sign((m - 0.5, e)) for m, e in of] for of in shares)
     verdicts = ["agrees" if (f, b) == (1, -1) else "differs" if f < 0 or b > 0 else "cannot tell"
-                for f, b in zip(free, bound)]
+                for f, b in zip(free, captured)]
     yield ("Fig. 4.12: most collisions of free discs along the shear, of captured pairs against it",
            f"share along the shear at phi {COLLISIONAL_TEN}: free {row(shares[0])}; captured {row(shares[1])}",
            overall(verdicts))

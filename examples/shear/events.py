@@ -57,7 +57,8 @@ def separation(positions, i, j):
 
 
 def along_shear(positions, time, i, j):
-    """Whether the faster of two discs that touch comes from behind."""
+    """Whether the line of centres is in the compressive quadrants of the shear, x y < 0 from i to j; None without the
+    positions of both steps."""
     step = math.floor(time)
     if step not in positions or step + 1 not in positions:
         return None
@@ -106,7 +107,7 @@ def evaluate(folder, dt, start):
     last = max(int(lines[0]) for lines in blocks(folder / "positions.txt"))
     first = math.ceil(start * last)
     positions = read_positions(folder / "positions.txt", first)
-    durations, sizes, free, bound = (Parts(first, last) for _ in range(4))
+    durations, sizes, free, captured = (Parts(first, last) for _ in range(4))
     partners, since, kinds, seen = defaultdict(set), {}, Counter(), first
     for time, kind, i, j in read_events(folder / "events.txt"):
         kinds[kind] += 1
@@ -125,14 +126,14 @@ def evaluate(folder, dt, start):
                 if not partners[a]:
                     durations.add(time, (time - since[a]) * dt)
         elif kind in ("collision", "elastic"):
-            kept = bound if j in partners[i] else None if partners[i] or partners[j] else free
-            along = along_shear(positions, time, i, j) if kept else None
+            share = captured if j in partners[i] else None if partners[i] or partners[j] else free
+            along = along_shear(positions, time, i, j) if share else None
             if along is not None:
-                kept.add(time, along)
+                share.add(time, along)
         for a in (i, j):
             if a in partners and not partners[a]:
                 del partners[a]
     for name in ("events.txt", "positions.txt"):
         (folder / name).unlink()
     return {"captured_duration": durations.mean(), "captured_size": sizes.mean(), "free_along_shear": free.mean(),
-            "captured_along_shear": bound.mean(), "recorded": dict(kinds)}
+            "captured_along_shear": captured.mean(), "recorded": dict(kinds)}

@@ -32,7 +32,7 @@ def arguments():
     which.add_argument("--full", action="store_true",
                        help="the whole sweep with the thesis's block rule (hours) instead of the subset")
     which.add_argument("--thesis", action="store_true",
-                       help="runs that decide the thesis's claims, on its own parameters and block rule")
+                       help="runs that decide the thesis's claims, on its own parameters with at most 6 blocks")
     parser.add_argument("--overwrite", action="store_true", help="replace runs of other settings")
     program.folder_words(parser, "BUILD/shear, BUILD/shear-full, BUILD/shear-thesis")
     program.together_words(parser)

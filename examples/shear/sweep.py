@@ -49,24 +49,17 @@ def full():
     return list(dict.fromkeys(subset() + runs))
 
 
-# The thesis's own parameters: depths D* at their fractions, widths at D* 10, fractions about its transitions.
+# The thesis's own parameters: depths D* at their fractions, widths at D* 10, and their block rule with fewer blocks.
 LIMITED = THESIS._replace(most=6)
 TEN, TEN_AT, TEN_WIDTHS = 10, (0.1, 0.3, 0.5), (1.0001, 1.001, 1.01, 1.1)
 DEPTHS = {0: FRACTIONS, 5: TEN_AT, 15: FRACTIONS}
-GROWING = Rule(1500, 250, 2, 1, 120)  # clusters make a run slow
-CLUSTERS = {25: (0.3, 0.37, 0.38, 0.4), 30: (0.2, 0.3)}
-# Runs at lower restitution or in narrower wells, compared with those at 0.9 and 1.001.
-LESS_ELASTIC = (starred(0.5, 15, e=0.8), starred(0.3, 25, e=0.8))
-NARROWER = (starred(0.3, 15, w=1.00001), starred(0.5, 15, w=1.00001))
 RECORDED = Rule(150, 50, 4, 1, 120)  # short runs at D* 10 that record every event
 
 
 def thesis():
-    """Runs and their rules."""
+    """Runs of the thesis's parameters below the depths at which agglomerates grow, and their rule."""
     runs = [starred(phi, depth) for depth, fractions in DEPTHS.items() for phi in fractions]
-    runs += [starred(phi, TEN, w) for w in TEN_WIDTHS for phi in TEN_AT]
-    slow = [starred(phi, depth) for depth, fractions in CLUSTERS.items() for phi in fractions]
-    return [(run, LIMITED) for run in (*runs, *NARROWER)] + [(run, GROWING) for run in (*slow, *LESS_ELASTIC)]
+    return [(run, LIMITED) for run in runs + [starred(phi, TEN, w) for w in TEN_WIDTHS for phi in TEN_AT]]
 
 
 def recorded():

@@ -11,8 +11,8 @@ jetCells    1;
 cellsUp     50;
 jet         3;          // superficial velocity [m/s]
 background  3;          // [m/s]
-jetGas      constant (0 $jet 0);          // against time
-plateGas    constant (0 $background 0);   // against time, beside the jet
+jetGas      constant (0 $jet 0);          // gas at the jet against time
+plateGas    constant (0 $background 0);   // the same beside the jet
 plateVoid   1;          // void fraction at jet and plate
 middle      0.075;      // of the width [m]
 trace       0.2;        // height of the pressure trace above the plate [m]

@@ -11,8 +11,8 @@ jetCells    3;
 cellsUp     60;
 jet         2.8;        // superficial velocity, five times that of minimum fluidisation [m/s]
 background  0.56;       // the same beside the jet [m/s]
-jetGas      constant (0 $jet 0);          // against time
-plateGas    constant (0 $background 0);   // against time, beside the jet
+jetGas      constant (0 $jet 0);          // gas at the jet against time
+plateGas    constant (0 $background 0);   // the same beside the jet
 plateVoid   1;          // void fraction at jet and plate
 middle      0.0975;     // of the width [m]
 trace       0.1;        // height of the pressure trace above the plate [m]

@@ -23,7 +23,8 @@ OTHER = f"""
 ## Points that are {NEITHER}
 
 Cells have the outcome and the error of a case. Random points are listed where incorrect, those of *sampled* laws only
-without a warning for their contact.
+without a warning for their contact. The last column states whether the run warned of this contact (yes), only of
+contacts that do not occur (of others), or not (no). `--law NAME --point K` prints random point K.
 """
 WARNED = {"warned": "yes", "elsewhere": "of others", "silent": "no"}
 STOPPED = """
