@@ -104,7 +104,7 @@ void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
                                    const ContactSample& c, double adhesion) {
-  if (!d.computeflag) return;  // of a look that moves nothing
+  if (!d.computeflag) return;  // a force evaluation without a step
   if (is_read_) {
     const double fraction = owned_fraction(d);
     sampled_.spring += fraction * c.spring_energy();
@@ -211,7 +211,7 @@ void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts)
     const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
     const Passage passage = is_read_ ? make_passage(velocity, half * inverse_mass * force, spin,
                                                     half * inverse_inertia * torque, half)
-                                     : Passage::unread(velocity, spin, half);
+                                     : Passage::without_output(velocity, spin, half);
     tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
     if (!rolling_torque_.empty()) rolling_.add({}, rolling_torque_[i], passage);
     if (!normal_dashpot_force_.empty()) normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);

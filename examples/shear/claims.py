@@ -7,14 +7,13 @@ import math
 
 import analyse
 import sweep
-from analyse import HARDLY, LARGE, SURE, ratio, row, show
+from analyse import HARDLY, SURE, ratio, row, show
 
 DENSE, DILUTE = (0.4, 0.5), (0.1, 0.2)
 COLLISIONAL = (0.3, 0.4, 0.5)
 COLLISIONAL_TEN = (0.3, 0.5)  # of those, at D* 10
 LEAST, *_, MOST = sweep.DEPTHS
 ENDS = LEAST, MOST
-MOST_DISCS = 0.5  # a single agglomerate "includes most of the particles"
 FIFTH = 0.1, 0.3  # "roughly 20%"
 
 
@@ -63,29 +62,6 @@ def trend(statement, sets, direction):
     verdicts = [("cannot tell", "agrees", "differs")[s] for s in signs]
     texts = [f"{label}: {row(values)} ({verdict})" for (label, values), verdict in zip(sets, verdicts)]
     return statement, "; ".join(texts), overall(verdicts)
-
-
-def regime(result):
-    """One agglomerate with most discs; or many, mostly pairs, none with a tenth of all discs."""
-    largest, pairs = result["largest"][0], result["pairs"][0]
-    if largest > MOST_DISCS:
-        return "strong"
-    return "mild" if largest < LARGE and pairs > 0.5 else "between"
-
-
-def regime_text(run, result):
-    return (f"phi {run.phi:g}, D* {run.D / sweep.STARRED:.0f}, r_out/r {run.w:g}, e {run.e:g}: {regime(result)}, "
-            f"largest {show(result['largest'])}, pairs {show(result['pairs'])}")
-
-
-def regimes(runs):
-    """4.2.1, without the depths at which agglomerates grow."""
-    mild = {run: runs.plain[run] for depth, fractions in sweep.DEPTHS.items() if depth
-            for run in (sweep.starred(phi, depth) for phi in fractions)}
-    others = [regime_text(run, result) for run, result in mild.items() if regime(result) != "mild"]
-    yield (f"4.2.1 mostly pairs, no large agglomerate, up to D* {MOST}",
-           f"{len(mild) - len(others)} of {len(mild)} runs; others: {'; '.join(others) or 'none'}",
-           "differs" if others else "agrees")
 
 
 def agglomerates(runs):
@@ -179,7 +155,7 @@ def report(raw):
              f"{sum(r['processor_seconds'] for r in raw):.0f} s of processor time; collisions made elastic: at most "
              f"{100 * max(r['elastic'] for r in raw):.2g} %",
              "e 0.9, r_out/r 1.001 unless said; stress in rho_s rate^2 r^2; +- one standard error", ""]
-    for part in (regimes, agglomerates, stress, orientations):
+    for part in (agglomerates, stress, orientations):
         for statement, figures, verdict in part(runs):
             lines += [f"{statement}: {verdict.upper()}", f"    {figures}"]
     return "\n".join(lines)

@@ -58,11 +58,12 @@ inline bool reads_energy_tally(const Modify* modify, bigint step) {
   return false;
 }
 
-/// Stops when something reads a tally in a step without stored energies.
+/// Stops when a tally is read in a step without stored energies.
 inline void require_read(LAMMPS* lmp, const std::string& where, bool is_read) {
   if (!is_read)
     stop(lmp, FLERR, where, ": step ", lmp->update->ntimestep,
-         " has no stored energies, since no output requested them in advance");
+         " has no stored energies, because no output requested them in advance; read this compute "
+         "by thermo_style, fix print or fix ave/time");
 }
 
 /// Warns, once, when particles have come or gone since the last check.

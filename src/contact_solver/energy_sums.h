@@ -7,16 +7,15 @@
 
 namespace cohesion::contact_solver {
 
-/// How a particle passes a time level: its mean velocity and spin while the forces of the time
-/// level act, which is for `length`, and those in the half step after it, which lasts `after`,
-/// [time].
+/// Mean velocities of a particle around a time level: of the time `length` in which the forces of
+/// the time level act, and of the half step after it, of duration `after`, [time].
 struct Passage {
   Vector3 velocity, spin;              ///< [length/time], [1/time]
   Vector3 velocity_after, spin_after;  ///< unused if `after` is 0
   double length, after;
 
-  /// Of a step of two halves at a time level that no output reads.
-  static Passage unread(const Vector3& velocity, const Vector3& spin, double half) {
+  /// Of a step of two halves, without those after the time level: for steps without output.
+  static Passage without_output(const Vector3& velocity, const Vector3& spin, double half) {
     return {velocity, spin, {}, {}, 2.0 * half, 0.0};
   }
   /// Of a step of two halves: `kick` and `turn` are the changes of velocity and spin in each.
@@ -39,7 +38,7 @@ struct Passage {
 };
 
 /// The work of forces of one kind, [energy]. That of the forces of a time level includes the half
-/// step after it, whose share is known at time levels that an output reads.
+/// step after it, whose share is evaluated only at steps with output.
 class WorkOfForces {
  public:
   /// Before the time level.

@@ -126,7 +126,8 @@ class SmallBed(unittest.TestCase):
     def test_expected_are_figures_of_its_beds(self):
         for row in expected.rows(run.HERE / "expected.csv"):
             self.assertIn(row["case"], {f"{bed}{kind}" for bed in run.BEDS for kind in ("", "-elastic")})
-            self.assertIn(row["quantity"], self.start_result)
+            of_start = row["case"].removesuffix("-elastic") not in ("b", "c", "d")
+            self.assertIn(row["quantity"], self.start_result if of_start else self.results[0])
 
     def test_a_run_of_another_time_is_not_held_against_expectations(self):
         """The small bed's figures in the place of those of both beds, with and without dissipation."""
@@ -186,13 +187,6 @@ class Reading(unittest.TestCase):
         for text in ("2", "0:-1", "x"):
             with self.assertRaisesRegex(Exception, "shares are 0 to 1"):
                 run.shares(text)
-
-    def test_void_fraction_of_the_source(self):
-        """Eq. 49: at equal spacing the solid fraction of face-centred cubic spheres over that of hexagonal discs to the
-        power 3/2 is the factor of the source."""
-        for spacing in (1, 1.2, 2):
-            discs, spheres = math.pi / (2 * math.sqrt(3)) / spacing**2, math.pi * math.sqrt(2) / 6 / spacing**3
-            self.assertAlmostEqual(spheres / discs**1.5, 2 / math.sqrt(math.pi * math.sqrt(3)), delta=1e-12)
 
     def test_peaks(self):
         self.assertEqual(analyse.peaks(np.array([1, 3, 3, 1, 2, 1, 3]), 2), 2)

@@ -156,13 +156,25 @@ class Events(unittest.TestCase):
 class Claims(unittest.TestCase):
     def test_trend(self):
         up, same, down = ([(1, 0.1), (m, 0.1)] for m in (2, 1.1, 0))
-        for sets, verdict in (([up, up], "agrees"), ([up, same], "agrees"), ([same, same, up], "cannot tell"),
+        for sets, verdict in (([up, up], "agrees"), ([up, up, same], "agrees"), ([up, same], "cannot tell"), ([same, same, up], "cannot tell"),
                               ([up, up, down], "differs")):
             self.assertEqual(claims.trend("", [("", s) for s in sets], 1)[2], verdict)
 
-    def test_regime(self):
-        for largest, pairs, name in ((0.6, 0.1, "strong"), (0.01, 0.9, "mild"), (0.2, 0.9, "between")):
-            self.assertEqual(claims.regime({"largest": [largest, 0], "pairs": [pairs, 0]}), name)
+    def test_report_of_made_up_runs(self):
+        """All quantities grow with D* and the width: claims that they fall differ, claims that they grow agree."""
+        quantities = [*(f"stress_{c}" for c in ("xx", "yy", "xy")), "duration", "size",
+                      *(f"{kind}_{c}" for kind in analyse.KINDS for c in ("xx", "xy")), "captured_duration",
+                      "captured_size", "free_along_shear", "captured_along_shear"]
+
+        def made(run, record):
+            return {"settings": {**run._asdict(), "record": record}, "stationary": 1, "processor_seconds": 1,
+                    "elastic": 0, **{q: [1 + run.D + run.w, 1e-3] for q in quantities}}
+        text = claims.report([made(run, "no") for run, _ in sweep.thesis()]
+                             + [made(run, "yes") for run, _ in sweep.recorded()])
+        self.assertIn("stress_xx falls with D*: DIFFERS", text)
+        self.assertIn("collision part of tau_xx rises with D*: AGREES", text)
+        self.assertIn("duration grows with r_out/r: AGREES", text)
+        self.assertIn("of captured pairs against it: DIFFERS", text)
 
 
 class Reading(unittest.TestCase):

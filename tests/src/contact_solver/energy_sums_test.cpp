@@ -115,17 +115,17 @@ TEST(EnergySums, StartCountsTheWorkOfTheMeanVelocity) {
   EXPECT_NEAR(sums.external.so_far(), 0.5 * mass * (dot(after, after) - dot(v, v)), 1e-16);
 }
 
-/// The half step after a time level is part of the work whether or not an output reads that level.
-TEST(EnergySums, WorkDoesNotDependOnWhoReads) {
+/// The half step after a time level is part of the work whether or not the step has output.
+TEST(EnergySums, WorkIsIndependentOfOutputSteps) {
   const Vector3 v{0.4, 0.1, -0.2}, kick{0.03, 0.0, 0.01}, spin{0.5, -0.1, 0.2},
       turn{0.0, 0.02, 0.0};
   const Vector3 push{0.3, 0.2, 0.1}, torque{0.01, 0.0, 0.02};
-  WorkOfForces read, unread;
-  read.add(push, torque, Passage::whole(v, kick, spin, turn, 0.5 * dt));
-  unread.add(push, torque, Passage::unread(v, spin, 0.5 * dt));
-  EXPECT_NE(read.so_far(), unread.so_far());
-  for (WorkOfForces* const work : {&read, &unread}) work->begin_step();
-  EXPECT_EQ(read.so_far(), unread.so_far());
+  WorkOfForces with, without;
+  with.add(push, torque, Passage::whole(v, kick, spin, turn, 0.5 * dt));
+  without.add(push, torque, Passage::without_output(v, spin, 0.5 * dt));
+  EXPECT_NE(with.so_far(), without.so_far());
+  for (WorkOfForces* const work : {&with, &without}) work->begin_step();
+  EXPECT_EQ(with.so_far(), without.so_far());
 }
 
 /// What two processes have of a pair is half of it each; what is lost after the time level counts
