@@ -156,6 +156,17 @@ double RegionFaces::depth(const Vector3& at) const {
   return nearest;
 }
 
+/// Writes the contacts of a centre to region_->contact and returns their number; none behind a
+/// region without open faces. Region::surface() evaluates both sides of an open region: for a
+/// centre exactly in the plane of an open end both find contacts, and write them to the same
+/// entries.
+int RegionFaces::contacts_at(const Vector3& at, double reach) const {
+  double x[] = {at.x, at.y, at.z};
+  const bool is_inside = region_->inside(x[0], x[1], x[2]) != 0;
+  if (!is_open_ && is_inside != (region_->interior != 0)) return 0;
+  return is_inside ? region_->surface_interior(x, reach) : region_->surface_exterior(x, reach);
+}
+
 /// LAMMPS cannot evaluate a cone on its axis: it lies beside the particles' coordinates by less
 /// than their rounding matters.
 Vector3 RegionFaces::in_region(const Vector3& centre, const WallState& now) const {
@@ -177,7 +188,7 @@ void RegionFaces::find(const Vector3& centre, const WallState& now, double reach
     std::fill_n(points, count_, WallPoint{behind, {}, now.velocity});
     return;
   }
-  const int n = region_->surface(at.x, at.y, at.z, reach);
+  const int n = contacts_at(at, reach);
   for (int k = 0; k < n; k++) {
     const Region::Contact& c = region_->contact[k];
     const int face = is_inside ? c.iwall : count_ - 1;
@@ -205,7 +216,7 @@ void RegionFaces::drop_edges_of_ends(WallPoint* points) const {
 
 bool RegionFaces::is_far(const Vector3& centre, const WallState& now, double reach) const {
   const Vector3 at = in_region(centre, now);
-  return region_->match(at.x, at.y, at.z) && region_->surface(at.x, at.y, at.z, reach) == 0;
+  return region_->match(at.x, at.y, at.z) && contacts_at(at, reach) == 0;
 }
 
 /// The normal of a face, towards the particle, where the centre was a step before: of the contact
@@ -216,7 +227,7 @@ Vector3 RegionFaces::normal_before(const Vector3& centre, const Vector3& velocit
   const Vector3 normal = normal_of(point.separation, point.distance);
   const Vector3 way = last_step * (velocity - now.velocity);
   const Vector3 at = in_region(centre - way, now);
-  const int n = region_->surface(at.x, at.y, at.z, 2.0 * (point.distance + norm(way)));
+  const int n = contacts_at(at, 2.0 * (point.distance + norm(way)));
   Vector3 before = normal;
   double largest = -INFINITE;
   for (int k = 0; k < n; k++) {

@@ -75,6 +75,7 @@ class RegionFaces {
   void require_static(const std::string& where) const;
   void require_aperiodic(const std::string& where) const;
   void sample_faces(const std::string& where);
+  int contacts_at(const cohesion::Vector3& at, double reach) const;
   cohesion::Vector3 in_region(const cohesion::Vector3& centre, const WallState& now) const;
   cohesion::Vector3 normal_before(const cohesion::Vector3& centre,
                                   const cohesion::Vector3& velocity, const WallPoint& point,

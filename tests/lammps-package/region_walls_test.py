@@ -246,6 +246,21 @@ run {steps}
                 self.assertLess(x[1], 0.008)
                 self.check_speeds(v, -speed, 1, w, -spin, 2)
 
+    def test_centre_in_the_plane_of_an_open_end(self):
+        """A sphere beside it in the corner of the closed end has two contacts. The contact with the side is along x: a
+        shift along the axis, which round-off does not change, leaves motion along x the same bits."""
+        tube = "region shape cylinder z 0 0 0.01 -0.01 0.01 open 1 units box\n"
+        side, still = 0.01 - R + 1e-6, (0, 0, 0)
+        found = [self.path(tube, [((0, side, side), still, still), ((side, 0, z), still, still)],
+                           f"{CONTACT} region shape", 5)[:, 1] for z in (-0.01, -0.01 + 1e-12)]
+        numpy.testing.assert_array_equal(found[0][:, 1:3], found[1][:, 1:3])
+        numpy.testing.assert_array_equal(found[0][:, 4:], found[1][:, 4:])
+        numpy.testing.assert_array_equal(found[0][:, 3], -0.01)
+        # From rest, after half the contact time: w0 times the overlap, towards the axis. A velocity half a step later or
+        # earlier has the factor cos(pi/20) = 0.988.
+        speed = 1e-6 * math.sqrt(STIFFNESS / MASS)
+        self.assertAlmostEqual(found[0][-1, 4] / speed, -1.0, delta=0.013)
+
     def test_oblique_in_a_barrel_as_in_a_zcylinder(self):
         """Both see the turning of the normal, v.dn/dt: of this one from two normals, at first order of the step, of
         the cylinder at the end of it. The difference, v^2 dt/r of the turning v^2/r, is a velocity of (v dt/r)^2 v."""
