@@ -138,7 +138,7 @@ void FixWallGranCohesive<Cohesion>::init() {
     attraction.require_short(lmp, where, unscaled_parameters, smallest[type],
                              std::numeric_limits<double>::infinity());
   sizes = {};  // not known: particles may have come since the last run
-  for (RegionFaces& region : regions) region.look_up(where);
+  for (RegionFaces& region : regions) region.require_unchanged(where);
   warn_of_particles();
 }
 
@@ -247,7 +247,7 @@ template <class Cohesion>
 template <class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
-  for (RegionFaces& region : regions) region.follow(where);
+  for (RegionFaces& region : regions) region.refresh(where);
   // A particle that moves less than a radius per step cannot reach a wall from beyond two radii.
   // All particles are checked when some may be new, or faster.
   const double flight = 2.0 * step->flight() + wall_travel(now);
@@ -271,7 +271,10 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     find_points(centre, now, 2.0 * atom->radius[i] + range, points);
-    if (!regions.empty()) check_regions(i, now, range);
+    if (!regions.empty()) {
+      continue_around_open_edges(i, now);
+      check_curvature(i, range);
+    }
     for (int face = 0; face < faces(); face++) {
       double& phase = *history.of(i, face);
       const WallPoint& point = points[face];

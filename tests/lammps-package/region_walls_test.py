@@ -376,9 +376,14 @@ timestep 1e-6
         sphere = "region shape sphere 0 0 0 0.01 units box\n"
         gone = "region shape delete\n"
         for between, words in ((gone, "does not exist"),
-                               (gone + "region shape sphere 0 0 0 0.011 units box\n", "another one")):
+                               (gone + "region shape sphere 0 0 0 0.011 units box\n", "use a new fix ID")):
             self.stops(self.script(sphere, "region shape", run=f"run 1\n{between}run 1"), words, after_a_run=True)
         self.goes(self.script(sphere, "region shape", run=f"run 1\n{gone}{sphere}run 1"))
+        tall = "region shape block 0 10 0 10 0 50 units box\n"  # in cm
+        text = self.script(tall, "region shape", places=[(0.01, 0.01, 0.01)], run=f"run 1\n{gone}{tall}run 1")
+        text = text.replace("units si", "units cgs")
+        self.goes(text)
+        self.stops(text.replace(f"{gone}{tall}", gone + tall.replace("50", "60")), "use a new fix ID", after_a_run=True)
         self.stops(self.script(sphere, "region shape", run='run 4 every 2 "region shape delete"'), "does not exist",
                    after_a_run=True)
 
@@ -389,7 +394,7 @@ timestep 1e-6
                                places=[(place, 0, 0)], run="timestep 1e-5\nrun 20000")
             text = text.replace(CONTACT, "stiffness 1 restitution 0.1").replace(
                 "timestep", f"variable f equal {load}*1e-3*step/20000\nfix f all addforce v_f 0 0\ntimestep", 1)
-            self.stops(text, "particle 1 went through region shape" if faces else "went through the wall",
+            self.stops(text, "particle 1 went through 'region shape'" if faces else "went through the wall",
                        "larger stiffness", after_a_run=True)
 
     def test_warnings(self):
