@@ -78,7 +78,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   void repeat_forces();
   template <int SIZE, class What>
   void for_each_with_history(const WallState&, const What&);
-  void check_flight(int i, const WallPoint&);
+  void check_flight(int i, int wall, const WallPoint&, const WallState&);
   WallState state() const;
   double wall_travel(const WallState&) const;
   void update_sizes();
@@ -87,6 +87,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   int faces() const { return static_cast<int>(wall_of_face.size()); }
   void find_points(const cohesion::Vector3& centre, const WallState&, double reach,
                    std::vector<WallPoint>&);
+  std::string name_of(int wall, const WallState&) const;
   void continue_around_open_edges(int i, const WallState&);
   void check_curvature(int i, double range);
   void warn_of_particles();

@@ -28,6 +28,13 @@ void FixWallGranCohesive<Cohesion>::start_faces(const std::vector<std::string>& 
   curvatures.resize(regions.size());
 }
 
+/// A wall as a script writes it.
+template <class Cohesion>
+std::string FixWallGranCohesive<Cohesion>::name_of(int w, const WallState& now) const {
+  const int planes = static_cast<int>(walls.size());
+  return w < planes ? name_of_wall(walls[w], now) : "region " + regions[w - planes].id();
+}
+
 /// Contacts of particle i, whose `points` are known, that continue around an open edge.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::continue_around_open_edges(int i, const WallState& now) {
@@ -88,6 +95,7 @@ void FixWallGranCohesive<Cohesion>::warn_of_particles() {
 }
 
 #define COHESION_INSTANTIATE(style, Law)                                                     \
+  template std::string FixWallGranCohesive<Law>::name_of(int, const WallState&) const;       \
   template void FixWallGranCohesive<Law>::start_faces(const std::vector<std::string>&);      \
   template void FixWallGranCohesive<Law>::continue_around_open_edges(int, const WallState&); \
   template void FixWallGranCohesive<Law>::check_curvature(int, double);                      \

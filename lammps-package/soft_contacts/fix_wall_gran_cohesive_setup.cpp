@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixWallGranCohesive that knows contacts at set-up of a run, and restart files.
+// The part of FixWallGranCohesive for the set-up of a run, and for restart files.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -129,8 +129,8 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   if (!had_regions) require_layout(lmp, values[0], where, LAYOUT);
   if (had_regions == regions.empty())
     error->all(FLERR, where +
-                          ": a region is its wall either here or in the restart file only; give "
-                          "the fix another ID");
+                          ": only one of script and restart file has a region as wall: use the "
+                          "same walls, or another fix ID");
   if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
     error->all(FLERR,
                where +
