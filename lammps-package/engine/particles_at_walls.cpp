@@ -15,6 +15,7 @@
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::contact_solver::Wall;
+using cohesion::contact_solver::WallState;
 
 namespace {
 
@@ -29,13 +30,11 @@ struct Misplaced {
   }
 };
 
-/// How a script writes a wall, with its position as far as it has moved.
-std::string words_of(int w, const WallsAtStart& start, bool other_side = false) {
-  if (w >= static_cast<int>(start.walls.size())) return "region " + start.region(w).id();
-  const Wall& wall = start.walls[w];
+}  // namespace
+
+std::string LAMMPS_NS::name_of_wall(const Wall& wall, const WallState& now, bool other_side) {
   if (wall.shape == Wall::z_cylinder) return message("zcylinder ", wall.position);
-  const double moved[] = {start.state.displacement.x, start.state.displacement.y,
-                          start.state.displacement.z};
+  const double moved[] = {now.displacement.x, now.displacement.y, now.displacement.z};
   const double position = wall.position + moved[wall.shape];
   const char* const plane = wall.shape == Wall::x_plane   ? "xplane "
                             : wall.shape == Wall::y_plane ? "yplane "
@@ -44,10 +43,17 @@ std::string words_of(int w, const WallsAtStart& start, bool other_side = false) 
   return lower ? message(plane, position, " NULL") : message(plane, "NULL ", position);
 }
 
-}  // namespace
+std::string WallsAtStart::name(int w) const {
+  return is_region(w) ? "region " + region(w).id() : name_of_wall(walls[w], state);
+}
+
+std::string WallsAtStart::turned(int w) const {
+  if (is_region(w)) return "define region " + region(w).id() + " with the other 'side'";
+  return walls[w].is_flat() ? "write '" + name_of_wall(walls[w], state, true) + "'" : "";
+}
 
 double WallsAtStart::distance(int w, const cohesion::Vector3& centre) const {
-  if (w < static_cast<int>(walls.size())) return walls[w].nearest(centre, state, 0.0).distance;
+  if (!is_region(w)) return walls[w].nearest(centre, state, 0.0).distance;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<RegionFaces::WallPoint> points(region(w).count());
   region(w).find(centre, state, infinite, points.data());
@@ -105,12 +111,11 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
     const std::string particle = message("Particle ", static_cast<bigint>(first[kind]), " at (",
                                          of[0], " ", of[1], " ", of[2], ")");
     if (kind == 0) {
-      const std::string turn = start.is_flat(w) ? "write '" + words_of(w, start, true) +
-                                                      "' if they are to be in front of it, "
-                                                : "";
+      const std::string turned = start.turned(w);
+      const std::string turn = turned.empty() ? "" : turned + " if they are to be in front of it, ";
       lmp->error->warning(
           FLERR, message(where, ": particles with their centres behind a wall: ", counts[0], ". ",
-                         particle, " is ", -of[4], " behind '", words_of(w, start),
+                         particle, " is ", -of[4], " behind '", start.name(w),
                          "'. A wall acts on its front side only: such particles do not feel it "
                          "until they have once been clear of it in front. Move the wall or the "
                          "particles, ",
@@ -118,10 +123,10 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
     } else {
       const double overlap = of[3] - of[4];
       lmp->error->warning(
-          FLERR, message(where, ": particles that a wall cuts through: ", counts[1], ". ", particle,
-                         " reaches ", overlap, " into '", words_of(w, start), "', ",
-                         50.0 * overlap / of[3], " % of its diameter; ", start.effect,
-                         ". Move the wall or the particles"));
+          FLERR,
+          message(where, ": particles that a wall cuts through: ", counts[1], ". ", particle,
+                  " reaches ", overlap, " into '", start.name(w), "', ", 50.0 * overlap / of[3],
+                  " % of its diameter; ", start.effect, ". Move the wall or the particles"));
     }
   }
   return true;

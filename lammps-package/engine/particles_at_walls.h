@@ -12,6 +12,11 @@
 
 namespace LAMMPS_NS {
 
+/// A wall as a script writes it, with its position as far as it has moved; other_side: of a plane
+/// with the same position.
+std::string name_of_wall(const cohesion::contact_solver::Wall&,
+                         const cohesion::contact_solver::WallState& now, bool other_side = false);
+
 /// The walls of a fix as a run begins.
 struct WallsAtStart {
   const std::vector<cohesion::contact_solver::Wall>& walls;
@@ -25,8 +30,11 @@ struct WallsAtStart {
   const std::vector<RegionFaces>* regions = nullptr;
 
   int count() const { return static_cast<int>(walls.size() + (regions ? regions->size() : 0)); }
-  bool is_flat(int w) const { return w < static_cast<int>(walls.size()) && walls[w].is_flat(); }
+  bool is_region(int w) const { return w >= static_cast<int>(walls.size()); }
   const RegionFaces& region(int w) const { return (*regions)[w - walls.size()]; }
+  std::string name(int w) const;
+  /// The command that exchanges the front side and the back of wall w; empty if there is none.
+  std::string turned(int w) const;
   /// Distance of a centre from wall w, not positive behind it, [length].
   double distance(int w, const cohesion::Vector3& centre) const;
 };

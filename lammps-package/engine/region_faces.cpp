@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -17,8 +19,10 @@ using cohesion::norm;
 using cohesion::Vector3;
 
 static constexpr double INFINITE = std::numeric_limits<double>::infinity();
-/// What LAMMPS has for infinite extents is larger, [length].
+/// LAMMPS uses 1e20 for INF, [length].
 static constexpr double FAR = 1e19;
+/// Samples along each line of for_each_sample().
+static constexpr int PLACES = 200;
 
 /// The nearest point of a contact of LAMMPS, as seen from the centre of a particle.
 static Vector3 to_surface(const Region::Contact& c) { return {-c.delx, -c.dely, -c.delz}; }
@@ -29,16 +33,17 @@ static Vector3 normal_of(const Vector3& separation, double distance) {
 }
 
 RegionFaces::RegionFaces(LAMMPS* lmp, const std::string& where, const std::string& id)
-    : lmp_(lmp), id_(id), region_(found()), narrowest_(INFINITE) {
+    : lmp_(lmp), id_(id), region_(found()), smallest_curvature_radius_(INFINITE) {
   require_static(where);
   is_open_ = region_->openflag != 0;
   is_cone_ = std::string(region_->style) == "cone";
   if (std::string(region_->style) == "sphere") curvature_per_number_ = 1.0;
   // Outside there is one contact, with the nearest point.
   count_ = region_->interior || is_open_ ? region_->cmax + is_open_ : 1;
-  place_ = measured_place();
+  fingerprint_ = measured_fingerprint();
   require_aperiodic(where);
-  sample_faces(where);
+  check_directions(where);
+  smallest_curvature_radius_ = sampled_curvature_radius();
 }
 
 Region* RegionFaces::found() const { return engine_api::region_of(lmp_->domain, id_); }
@@ -80,22 +85,17 @@ void RegionFaces::require_aperiodic(const std::string& where) const {
   }
 }
 
-/// Smallest radius of curvature, and a check of LAMMPS, which has the end faces of a cone along y
-/// point along z.
-void RegionFaces::sample_faces(const std::string& where) {
-  if (!region_->bboxflag) return;
+/// Calls what(at, points, curvature) for 800 places inside the region.
+template <class What>
+void RegionFaces::for_each_sample(double size, const What& what) const {
   const double low[] = {region_->extent_xlo, region_->extent_ylo, region_->extent_zlo};
   const double high[] = {region_->extent_xhi, region_->extent_yhi, region_->extent_zhi};
-  double size = 0.0;
-  for (int d = 0; d < 3; d++)
-    if (high[d] - low[d] < FAR) size = std::max(size, high[d] - low[d]);
-  if (size == 0.0) size = 1.0;
   const auto along = [&](int d, double part) {
     if (low[d] <= -FAR) return (high[d] >= FAR ? 0.0 : high[d]) - part * size;
     return low[d] + part * std::min(high[d] - low[d], size);
   };
-  // Anywhere, and along three lines, of which one is beside the axis of a cylinder or cone.
-  constexpr int PLACES = 200;
+  // Along three lines, of which one is next to the axis of a cylinder or cone, and of a
+  // low-discrepancy sequence: multiples of 1/g, 1/g^2, 1/g^3 with g^4 = g + 1, modulo 1.
   for (int k = 0; k < 4 * PLACES; k++) {
     const auto part = [k](int d, double step) {
       if (k >= 3 * PLACES) return k * step - std::floor(k * step);
@@ -104,46 +104,87 @@ void RegionFaces::sample_faces(const std::string& where) {
     const Vector3 at{along(0, part(0, 0.8191725134)), along(1, part(1, 0.6710436067)),
                      along(2, part(2, 0.5497004779))};
     if (!region_->inside(at.x, at.y, at.z)) continue;
-    std::vector<WallPoint> here(count_), half_way(count_);
-    find(at, {}, FAR, here.data());
-    narrowest_ = std::min(narrowest_, curvature_radius_);
+    std::vector<WallPoint> here(count_);
+    const Curvature curvature = find(at, {}, FAR, here.data());
+    what(at, here, curvature);
+  }
+}
+
+/// Largest finite extent of the region, [length].
+double RegionFaces::size() const {
+  const double extents[] = {region_->extent_xhi - region_->extent_xlo,
+                            region_->extent_yhi - region_->extent_ylo,
+                            region_->extent_zhi - region_->extent_zlo};
+  double largest = 0.0;
+  for (const double extent : extents)
+    if (extent < FAR) largest = std::max(largest, extent);
+  return largest > 0.0 ? largest : 1.0;
+}
+
+/// Stops LAMMPS where a face has a wrong direction: LAMMPS gives the ends of a cone along y the
+/// direction z. Half-way to its nearest point a face is at half the distance. The round-off of a
+/// distance is 1e-16 of the size; the limit is 1e7 times this.
+void RegionFaces::check_directions(const std::string& where) const {
+  if (!region_->bboxflag) return;
+  const double limit = 1e-9 * size();
+  std::vector<WallPoint> half_way(count_);
+  for_each_sample(size(), [&](const Vector3& at, const std::vector<WallPoint>& here, Curvature) {
     for (int face = 0; face < count_; face++) {
       if (!(here[face].distance < FAR)) continue;
       const Vector3 nearer = at + 0.5 * here[face].separation;
       if (!region_->inside(nearer.x, nearer.y, nearer.z)) continue;  // of an end wider than the end
       find(nearer, {}, FAR, half_way.data());
       const double error = half_way[face].distance - 0.5 * here[face].distance;
-      if (!(std::abs(error) <= 1e-9 * size))
+      if (!(std::abs(error) <= limit))
         lmp_->error->all(FLERR, where + ": region " + id_ +
                                     ": this LAMMPS has a wrong direction for one of its faces; "
                                     "use a cone along x or z");
     }
-  }
+  });
 }
 
-void RegionFaces::look_up(const std::string& where) {
+/// Of the samples next to the axis, one is inside within 3/400 of the length from the narrow end of
+/// a cone. The nearest point of the side is not farther from that end. The result is thus too large
+/// by at most 3/400 of the difference between the radii of the ends.
+double RegionFaces::sampled_curvature_radius() const {
+  double smallest = INFINITE;
+  if (!region_->bboxflag) return smallest;
+  for_each_sample(size(), [&](const Vector3&, const std::vector<WallPoint>&, Curvature curvature) {
+    smallest = std::min(smallest, curvature.radius);
+  });
+  return smallest;
+}
+
+void RegionFaces::require_unchanged(const std::string& where) {
   region_ = found();
   require_static(where);
   require_aperiodic(where);
-  if (measured_place() != place_)
-    lmp_->error->all(FLERR, where + ": region " + id_ +
-                                " is another one than at the time of the command; define walls "
-                                "elsewhere by another fix");
+  if (measured_fingerprint() != fingerprint_)
+    lmp_->error->all(FLERR,
+                     where + ": region " + id_ +
+                         " differs from the region at the time of the fix: restore it, or use "
+                         "a new fix ID");
 }
 
-/// Distances from points that lie anywhere, and which faces are open.
-double RegionFaces::measured_place() const {
-  double sum = region_->interior;
-  for (int face = 0; face < 6; face++) sum = 2.0 * sum + region_->open_faces[face];
-  double weight = 1.0;
-  for (const double size : {1.0, 0.01, 1e-4})
+/// Hash (FNV-1a) of which faces are open and of the distances from points in four directions, at
+/// sizes of 1e-6 to 1e6 length units. It has 53 bits, so that a restart file stores it as a number.
+double RegionFaces::measured_fingerprint() const {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto add = [&hash](double value) {
+    unsigned char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3U;
+  };
+  add(region_->interior);
+  for (int face = 0; face < 6; face++) add(region_->open_faces[face]);
+  for (int decade = -6; decade <= 6; decade++)
     for (const Vector3& to : {Vector3{1.1, 0.7, 0.3}, Vector3{-0.9, 0.4, 1.2},
                               Vector3{0.2, -1.3, 0.8}, Vector3{-0.6, -0.5, -1.4}}) {
-      const double distance = depth(size * to);
-      if (distance < FAR) sum += weight * distance;
-      weight += 0.618;
+      const double distance = depth(std::pow(10.0, decade) * to);
+      if (distance < FAR) add(distance);
     }
-  return sum;
+  constexpr int BITS = std::numeric_limits<double>::digits;
+  return static_cast<double>((hash ^ (hash >> BITS)) & ((std::uint64_t{1} << BITS) - 1));
 }
 
 /// Distance of a place from the nearest face, on either side of it.
@@ -156,8 +197,19 @@ double RegionFaces::depth(const Vector3& at) const {
   return nearest;
 }
 
-/// LAMMPS cannot evaluate a cone on its axis: it lies beside the particles' coordinates by less
-/// than their rounding matters.
+/// Writes the contacts of a centre to region_->contact and returns their number; none behind a
+/// region without open faces. Region::surface() evaluates both sides of an open region: for a
+/// centre exactly in the plane of an open end both find contacts, and write them to the same
+/// entries.
+int RegionFaces::contacts_at(const Vector3& at, double reach) const {
+  double x[] = {at.x, at.y, at.z};
+  const bool is_inside = region_->inside(x[0], x[1], x[2]) != 0;
+  if (!is_open_ && is_inside != (region_->interior != 0)) return 0;
+  return is_inside ? region_->surface_interior(x, reach) : region_->surface_exterior(x, reach);
+}
+
+/// LAMMPS divides by the distance from the axis of a cone. An offset of 1e-13 of the box length
+/// avoids 0; in boxes below 1 m it is below 1e-3 of H_cut = 4e-10 m.
 Vector3 RegionFaces::in_region(const Vector3& centre, const WallState& now) const {
   const Vector3 at = centre - now.displacement;
   if (!is_cone_) return at;
@@ -165,31 +217,29 @@ Vector3 RegionFaces::in_region(const Vector3& centre, const WallState& now) cons
   return at + offset * Vector3{0.83, 0.59, 0.71};
 }
 
-void RegionFaces::find(const Vector3& centre, const WallState& now, double reach,
-                       WallPoint* points) const {
+RegionFaces::Curvature RegionFaces::find(const Vector3& centre, const WallState& now, double reach,
+                                         WallPoint* points) const {
   std::fill_n(points, count_, WallPoint{INFINITE, {}, now.velocity});
-  curvature_radius_ = INFINITE;
   const Vector3 at = in_region(centre, now);
   const bool is_inside = region_->inside(at.x, at.y, at.z) != 0;
-  is_hollow_ = is_inside;
+  Curvature curvature{INFINITE, is_inside};
   if (!is_open_ && is_inside != (region_->interior != 0)) {
     const double behind = -depth(at);
     std::fill_n(points, count_, WallPoint{behind, {}, now.velocity});
-    return;
+    return curvature;
   }
-  const int n = region_->surface(at.x, at.y, at.z, reach);
+  const int n = contacts_at(at, reach);
   for (int k = 0; k < n; k++) {
     const Region::Contact& c = region_->contact[k];
     const int face = is_inside ? c.iwall : count_ - 1;
     points[face] = {c.r, to_surface(c), now.velocity};
     if (c.radius != 0.0)
-      curvature_radius_ = std::min(curvature_radius_, curvature_per_number_ * std::abs(c.radius));
+      curvature.radius = std::min(curvature.radius, curvature_per_number_ * std::abs(c.radius));
   }
-  if (is_open_ && !is_inside && n > 0) {  // LAMMPS finds one point of the rim of an open end
-    curvature_radius_ = narrowest_;
-    is_hollow_ = true;
-  }
+  if (is_open_ && !is_inside && n > 0)  // LAMMPS finds one point of the rim of an open end
+    curvature = {smallest_curvature_radius_, true};
   if (is_cone_ && is_inside) drop_edges_of_ends(points);
+  return curvature;
 }
 
 /// Where the nearest point of the side of a cone is on the edge of an end, the end alone acts: at
@@ -205,7 +255,7 @@ void RegionFaces::drop_edges_of_ends(WallPoint* points) const {
 
 bool RegionFaces::is_far(const Vector3& centre, const WallState& now, double reach) const {
   const Vector3 at = in_region(centre, now);
-  return region_->match(at.x, at.y, at.z) && region_->surface(at.x, at.y, at.z, reach) == 0;
+  return region_->match(at.x, at.y, at.z) && contacts_at(at, reach) == 0;
 }
 
 /// The normal of a face, towards the particle, where the centre was a step before: of the contact
@@ -216,7 +266,7 @@ Vector3 RegionFaces::normal_before(const Vector3& centre, const Vector3& velocit
   const Vector3 normal = normal_of(point.separation, point.distance);
   const Vector3 way = last_step * (velocity - now.velocity);
   const Vector3 at = in_region(centre - way, now);
-  const int n = region_->surface(at.x, at.y, at.z, 2.0 * (point.distance + norm(way)));
+  const int n = contacts_at(at, 2.0 * (point.distance + norm(way)));
   Vector3 before = normal;
   double largest = -INFINITE;
   for (int k = 0; k < n; k++) {

@@ -28,22 +28,25 @@ class RegionFaces {
   /// Largest number of contacts of one particle, each with a history.
   int count() const { return count_; }
   /// A number that differs for a region elsewhere, or of another shape.
-  double place() const { return place_; }
-  /// Finds the region again as a run begins. Stops LAMMPS if it is gone, or another one.
-  void look_up(const std::string& where);
+  double fingerprint() const { return fingerprint_; }
+  /// Finds the region again as a run begins. Stops LAMMPS if it does not exist, or differs.
+  void require_unchanged(const std::string& where);
   /// The same within a run, as a step begins.
-  void follow(const std::string& where) {
-    if (found() != region_) look_up(where);
+  void refresh(const std::string& where) {
+    if (found() != region_) require_unchanged(where);
   }
+
+  /// Of the faces near a centre: the smallest radius of curvature, infinite for flat ones,
+  /// [length], and whether their centre of curvature is on the particle's side.
+  struct Curvature {
+    double radius;
+    bool is_concave;
+  };
 
   /// Sets points[face] for all count() faces. A face that is `reach` [length] or farther away has
   /// an infinite distance; behind the region all distances are negative.
-  void find(const cohesion::Vector3& centre, const WallState& now, double reach,
-            WallPoint* points) const;
-  /// Of the faces that find() found last, the smallest radius of curvature; infinite for flat ones,
-  /// [length]. is_hollow(): their centre of curvature is on the particle's side.
-  double curvature_radius() const { return curvature_radius_; }
-  bool is_hollow() const { return is_hollow_; }
+  Curvature find(const cohesion::Vector3& centre, const WallState& now, double reach,
+                 WallPoint* points) const;
   /// Whether a centre is in front of the region and farther than `reach` from all its faces.
   bool is_far(const cohesion::Vector3& centre, const WallState& now, double reach) const;
 
@@ -56,8 +59,9 @@ class RegionFaces {
   /// Whether the particle came from the back of the face at `point` in the last step.
   bool has_passed(const cohesion::Vector3& centre, const cohesion::Vector3& velocity,
                   const WallPoint& point, const WallState& now, double last_step) const;
-  /// Where a face ends at an open one, its contact continues on its back. Returns the face whose
-  /// history continues on the face `to`, or -1. in_range(face): whether its history is in range.
+  /// Where a face ends at an open one, its contact continues around the open edge. Returns the face
+  /// whose history continues on the face `to`, or -1. in_range(face): whether its history is in
+  /// range.
   template <class InRange>
   int handed_over(const WallPoint* points, const InRange& in_range, int& to) const {
     int from = -1;
@@ -74,13 +78,18 @@ class RegionFaces {
   Region* found() const;
   void require_static(const std::string& where) const;
   void require_aperiodic(const std::string& where) const;
-  void sample_faces(const std::string& where);
+  template <class What>
+  void for_each_sample(double size, const What& what) const;
+  double size() const;
+  void check_directions(const std::string& where) const;
+  double sampled_curvature_radius() const;
+  int contacts_at(const cohesion::Vector3& at, double reach) const;
   cohesion::Vector3 in_region(const cohesion::Vector3& centre, const WallState& now) const;
   cohesion::Vector3 normal_before(const cohesion::Vector3& centre,
                                   const cohesion::Vector3& velocity, const WallPoint& point,
                                   const WallState& now, double last_step) const;
   double depth(const cohesion::Vector3& at) const;
-  double measured_place() const;
+  double measured_fingerprint() const;
   void drop_edges_of_ends(WallPoint* points) const;
 
   LAMMPS* lmp_;
@@ -90,10 +99,8 @@ class RegionFaces {
   bool is_open_ = false;
   bool is_cone_ = false;
   double curvature_per_number_ = 0.5;  // radius of curvature over LAMMPS' number of a contact
-  double place_ = 0.0;
-  double narrowest_;  // radius of curvature of an open region, [length]
-  mutable double curvature_radius_ = 0.0;
-  mutable bool is_hollow_ = false;
+  double fingerprint_ = 0.0;
+  double smallest_curvature_radius_;  // [length]
 };
 
 }  // namespace LAMMPS_NS

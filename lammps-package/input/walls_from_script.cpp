@@ -55,10 +55,11 @@ void WallsFromScript::finish() {
 
 void WallsFromScript::read_region(int narg, char** arg) {
   if (!accepts_regions_)
-    lmp_->error->all(FLERR, where_ +
-                                ": a region cannot be its wall; it takes planes and zcylinder, and "
-                                "particles that nothing moves make any other shape");
-  if (narg < 1) lmp_->error->all(FLERR, where_ + ": region takes the ID of a region");
+    lmp_->error->all(FLERR,
+                     where_ +
+                         ": a region cannot be its wall; it accepts planes and zcylinder, and "
+                         "particles that nothing moves make any other shape");
+  if (narg < 1) lmp_->error->all(FLERR, where_ + ": region: specify the ID of a region");
   if (std::find(regions.begin(), regions.end(), arg[0]) != regions.end())
     lmp_->error->all(FLERR, where_ + ": region " + arg[0] + " twice; give each region once");
   regions.emplace_back(arg[0]);

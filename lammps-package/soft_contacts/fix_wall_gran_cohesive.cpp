@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "common/message.h"
 #include "common/plausible_sizes.h"
 #include "domain.h"
 #include "engine/flight_report.h"
@@ -138,7 +139,7 @@ void FixWallGranCohesive<Cohesion>::init() {
     attraction.require_short(lmp, where, unscaled_parameters, smallest[type],
                              std::numeric_limits<double>::infinity());
   sizes = {};  // not known: particles may have come since the last run
-  for (RegionFaces& region : regions) region.look_up(where);
+  for (RegionFaces& region : regions) region.require_unchanged(where);
   warn_of_particles();
 }
 
@@ -191,10 +192,11 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point) {
+void FixWallGranCohesive<Cohesion>::check_flight(int i, int w, const WallPoint& point,
+                                                 const WallState& now) {
   if (point.distance <= 0.0)
-    error->one(FLERR, where + ": the centre of particle " + std::to_string(atom->tag[i]) +
-                          " went through the wall; use a larger stiffness");
+    error->one(FLERR, message(where, ": the centre of particle ", atom->tag[i], " went through '",
+                              name_of(w, now), "'; use a larger stiffness"));
   const double flight = update->dt * norm(vector(atom->v[i]) - point.velocity);
   if (flight > atom->radius[i])
     error->one(FLERR, where + ": particle " + std::to_string(atom->tag[i]) + " moves " +
@@ -247,7 +249,7 @@ template <class Cohesion>
 template <class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
-  for (RegionFaces& region : regions) region.follow(where);
+  for (RegionFaces& region : regions) region.refresh(where);
   // A particle that moves less than a radius per step cannot reach a wall from beyond two radii.
   // All particles are checked when some may be new, or faster.
   const double flight = 2.0 * step->flight() + wall_travel(now);
@@ -271,7 +273,10 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     find_points(centre, now, 2.0 * atom->radius[i] + range, points);
-    if (!regions.empty()) check_regions(i, now, range);
+    if (!regions.empty()) {
+      continue_around_open_edges(i, now);
+      check_curvature(i, range);
+    }
     for (int face = 0; face < faces(); face++) {
       double& phase = *history.of(i, face);
       const WallPoint& point = points[face];
@@ -279,7 +284,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
       // A particle without a history is in range or not by its position.
       if (phase < 0.0) ContactHistory::unknown().store(&phase, per_wall);
       // No particle is faster than the step's fastest.
-      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point);
+      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, wall_of_face[face], point, now);
       if (step->body(i).inverse_mass == 0.0) {
         if (step->is_led(i) && step->carries_along(i, vector(atom->v[i]) - point.velocity))
           phase = WallHistory::NOT_KNOWN;

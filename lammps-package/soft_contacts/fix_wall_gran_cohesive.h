@@ -78,7 +78,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   void repeat_forces();
   template <int SIZE, class What>
   void for_each_with_history(const WallState&, const What&);
-  void check_flight(int i, const WallPoint&);
+  void check_flight(int i, int wall, const WallPoint&, const WallState&);
   WallState state() const;
   double wall_travel(const WallState&) const;
   void update_sizes();
@@ -86,8 +86,10 @@ class FixWallGranCohesive : public FixWithWallHistory,
   void start_faces(const std::vector<std::string>& region_ids);
   int faces() const { return static_cast<int>(wall_of_face.size()); }
   void find_points(const cohesion::Vector3& centre, const WallState&, double reach,
-                   std::vector<WallPoint>&) const;
-  void check_regions(int i, const WallState&, double range);
+                   std::vector<WallPoint>&);
+  std::string name_of(int wall, const WallState&) const;
+  void continue_around_open_edges(int i, const WallState&);
+  void check_curvature(int i, double range);
   void warn_of_particles();
   template <class What>
   void for_each_near(const What&);
@@ -124,6 +126,8 @@ class FixWallGranCohesive : public FixWithWallHistory,
   std::vector<RegionFaces> regions;  // further walls, behind the others
   std::vector<int> wall_of_face;     // a plane or cylinder has one face
   std::vector<WallPoint> points;     // of the faces, for one particle
+  /// Of each region, near the particle of the last find_points().
+  std::vector<RegionFaces::Curvature> curvatures;
   bool has_warned_of_curvature = false;
   cohesion::contact_solver::WallMotion motion;
   cohesion::contact_solver::WallCourse course;
@@ -160,12 +164,12 @@ inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact
 template <class Cohesion>
 inline void FixWallGranCohesive<Cohesion>::find_points(const cohesion::Vector3& centre,
                                                        const WallState& now, double reach,
-                                                       std::vector<WallPoint>& found) const {
+                                                       std::vector<WallPoint>& found) {
   WallPoint* point = found.data();
   for (const Wall& wall : walls) *point++ = wall.nearest(centre, now, motion.rim_speed);
-  for (const RegionFaces& region : regions) {
-    region.find(centre, now, reach, point);
-    point += region.count();
+  for (std::size_t r = 0; r < regions.size(); r++) {
+    curvatures[r] = regions[r].find(centre, now, reach, point);
+    point += regions[r].count();
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixWallGranCohesive that knows the faces of regions.
+// The part of FixWallGranCohesive for regions.
 #include <string>
 #include <vector>
 
@@ -25,46 +25,64 @@ void FixWallGranCohesive<Cohesion>::start_faces(const std::vector<std::string>& 
     wall_of_face.insert(wall_of_face.end(), regions.back().count(), w);
   }
   points.resize(wall_of_face.size());
+  curvatures.resize(regions.size());
 }
 
-/// Of the regions near particle i, whose `points` are known: contacts that go round the edge of an
-/// open face, and curvatures that the tangent planes do not describe. `range`: of the adhesion.
+/// A wall as a script writes it.
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::check_regions(int i, const WallState& now, double range) {
-  const double radius = atom->radius[i], last_step = step->starts() ? 0.0 : update->dt;
-  const Vector3 centre = vector(atom->x[i]), velocity = vector(atom->v[i]);
-  const std::string particle = where + ": particle " + std::to_string(atom->tag[i]);
+std::string FixWallGranCohesive<Cohesion>::name_of(int w, const WallState& now) const {
+  const int planes = static_cast<int>(walls.size());
+  return w < planes ? name_of_wall(walls[w], now) : "region " + regions[w - planes].id();
+}
+
+/// Contacts of particle i, whose `points` are known, that continue around an open edge.
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::continue_around_open_edges(int i, const WallState& now) {
+  const double last_step = step->starts() ? 0.0 : update->dt;
   int first = static_cast<int>(walls.size());
   for (const RegionFaces& region : regions) {
     const auto in_range = [&](int face) { return *history.of(i, first + face) > 0.0; };
     int to = -1;
     const int from = region.handed_over(&points[first], in_range, to);
-    if (from >= 0 && region.has_passed(centre, velocity, points[first + to], now, last_step))
-      error->one(FLERR,
-                 particle + " went through region " + region.id() + "; use a larger stiffness");
-    if (from >= 0) history.hand_over(i, first + from, first + to);
+    if (from >= 0) {
+      if (region.has_passed(vector(atom->x[i]), vector(atom->v[i]), points[first + to], now,
+                            last_step))
+        error->one(FLERR, message(where, ": particle ", atom->tag[i], " went through 'region ",
+                                  region.id(), "'; use a larger stiffness"));
+      history.hand_over(i, first + from, first + to);
+    }
     first += region.count();
   }
-  for (const RegionFaces& region : regions) {
-    const double curvature = region.curvature_radius();
-    if (region.is_hollow() && curvature < 2.0 * radius + range)
-      error->one(FLERR, message(particle, " of radius ", radius, " is where region ", region.id(),
-                                " has the radius of curvature ", curvature,
+}
+
+/// Checks particle i, whose `curvatures` are known, for curvatures that the tangent planes do not
+/// describe. `range`: of the adhesion.
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::check_curvature(int i, double range) {
+  const double radius = atom->radius[i];
+  for (std::size_t r = 0; r < regions.size(); r++) {
+    const RegionFaces::Curvature& curvature = curvatures[r];
+    if (curvature.is_concave && curvature.radius < 2.0 * radius + range)
+      error->one(FLERR, message(where, ": particle ", atom->tag[i], " of radius ", radius,
+                                " is where region ", regions[r].id(),
+                                " has the radius of curvature ", curvature.radius,
                                 ", which must be above the diameter plus the range of adhesion: "
                                 "use a wider region, or end a cone farther from its tip"));
-    if (curvature >= 10.0 * radius || has_warned_of_curvature) continue;
+    if (curvature.radius >= 10.0 * radius || has_warned_of_curvature) continue;
     has_warned_of_curvature = true;
-    error->warning(FLERR, message(particle, " of radius ", radius, " is near a face of region ",
-                                  region.id(), " with the radius of curvature ", curvature,
-                                  ". A face acts as a plane: adhesion and stiffness are those of "
-                                  "a plane, true for 10 particle radii and more"));
+    error->warning(FLERR,
+                   message(where, ": particle ", atom->tag[i], " of radius ", radius,
+                           " is near a face of region ", regions[r].id(),
+                           " with the radius of curvature ", curvature.radius,
+                           ". A face acts as a plane: adhesion and stiffness are those of a plane, "
+                           "true for 10 particle radii and more"));
   }
 }
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::warn_of_particles() {
   const StepWindow next{0.0, 0.5 * update->dt};
-  // Where the spring is meant for less, particles have been put there.
+  // Larger overlaps than the spring is chosen for come from the initial positions.
   warn_of_particles_at_walls(
       lmp, where,
       {walls, course.over(next), groupbit, cohesion::advice::overlap_for_warning,
@@ -76,8 +94,10 @@ void FixWallGranCohesive<Cohesion>::warn_of_particles() {
       });
 }
 
-#define COHESION_INSTANTIATE(style, Law)                                                \
-  template void FixWallGranCohesive<Law>::start_faces(const std::vector<std::string>&); \
-  template void FixWallGranCohesive<Law>::check_regions(int, const WallState&, double); \
+#define COHESION_INSTANTIATE(style, Law)                                                     \
+  template std::string FixWallGranCohesive<Law>::name_of(int, const WallState&) const;       \
+  template void FixWallGranCohesive<Law>::start_faces(const std::vector<std::string>&);      \
+  template void FixWallGranCohesive<Law>::continue_around_open_edges(int, const WallState&); \
+  template void FixWallGranCohesive<Law>::check_curvature(int, double);                      \
   template void FixWallGranCohesive<Law>::warn_of_particles();
 COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixWallGranCohesive that knows contacts at set-up of a run, and restart files.
+// The part of FixWallGranCohesive for the set-up of a run, and for restart files.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -103,7 +103,8 @@ void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, 
 // Numbers of a restart file: its layout, walls, numbers of history each, the course of the walls,
 // and the force on them, which a run that continues another does not compute again.
 static constexpr int LAYOUT = 3, COURSE = 3;
-// With regions, their number, that of all faces and the place of each region come first of these.
+// With regions, their number, that of all faces and the fingerprint of each region come first of
+// these.
 static constexpr int LAYOUT_WITH_REGIONS = 4;
 
 template <class Cohesion>
@@ -115,7 +116,7 @@ void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
   if (has_regions) {
     head.push_back(static_cast<double>(regions.size()));
     head.push_back(faces());
-    for (const RegionFaces& region : regions) head.push_back(region.place());
+    for (const RegionFaces& region : regions) head.push_back(region.fingerprint());
   }
   append_course(head, course, walls);
   forces.write_restart(fp, world, std::move(head));
@@ -128,8 +129,8 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   if (!had_regions) require_layout(lmp, values[0], where, LAYOUT);
   if (had_regions == regions.empty())
     error->all(FLERR, where +
-                          ": a region is its wall either here or in the restart file only; give "
-                          "the fix another ID");
+                          ": only one of script and restart file has a region as wall: use the "
+                          "same walls, or another fix ID");
   if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
     error->all(FLERR,
                where +
@@ -142,7 +143,7 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
     bool are_same = values[0] == static_cast<double>(regions.size()) && values[1] == faces();
     values += 2;
     for (std::size_t r = 0; are_same && r < regions.size(); r++)
-      are_same = values[r] == regions[r].place();
+      are_same = values[r] == regions[r].fingerprint();
     if (!are_same)
       error->all(FLERR, where +
                             ": other regions than in the restart file; define them as in the "
