@@ -285,7 +285,7 @@ run {steps}
         self.assertAlmostEqual((x[0] * v[1] - x[1] * v[0]) / ((0.01 - R - 1e-6) * 0.2), 1.0, delta=1e-11)
 
     def test_keeps_its_speed_in_a_barrel_and_a_sphere(self):
-        """Along a hollow or a convex face a sphere that adheres keeps its speed: 3 turns of 6283 steps and more."""
+        """Along a concave or a convex face a sphere that adheres keeps its speed: 3 turns of 6283 steps and more."""
         for shape, place, outwards in (("cylinder z 0 0 0.01 -0.02 0.02", 0.01 - R, ""),
                                        ("sphere 0 0 0 0.01", 0.01 - R, ""),
                                        ("sphere 0 0 0 0.01", 0.01 + R, "side out"),
