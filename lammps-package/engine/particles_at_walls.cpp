@@ -47,7 +47,7 @@ std::string WallsAtStart::name(int w) const {
   return is_region(w) ? "region " + region(w).id() : name_of_wall(walls[w], state);
 }
 
-std::string WallsAtStart::turned(int w) const {
+std::string WallsAtStart::words_of_other_side(int w) const {
   if (is_region(w)) return "define region " + region(w).id() + " with the other 'side'";
   return walls[w].is_flat() ? "write '" + name_of_wall(walls[w], state, true) + "'" : "";
 }
@@ -111,8 +111,8 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
     const std::string particle = message("Particle ", static_cast<bigint>(first[kind]), " at (",
                                          of[0], " ", of[1], " ", of[2], ")");
     if (kind == 0) {
-      const std::string turned = start.turned(w);
-      const std::string turn = turned.empty() ? "" : turned + " if they are to be in front of it, ";
+      const std::string words = start.words_of_other_side(w);
+      const std::string turn = words.empty() ? "" : words + " if they are to be in front of it, ";
       lmp->error->warning(
           FLERR, message(where, ": particles with their centres behind a wall: ", counts[0], ". ",
                          particle, " is ", -of[4], " behind '", start.name(w),

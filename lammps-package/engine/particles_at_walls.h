@@ -33,8 +33,9 @@ struct WallsAtStart {
   bool is_region(int w) const { return w >= static_cast<int>(walls.size()); }
   const RegionFaces& region(int w) const { return (*regions)[w - walls.size()]; }
   std::string name(int w) const;
-  /// The command that exchanges the front side and the back of wall w; empty if there is none.
-  std::string turned(int w) const;
+  /// What to change in a script to exchange the front and the back of wall w; empty if that is
+  /// impossible.
+  std::string words_of_other_side(int w) const;
   /// Distance of a centre from wall w, not positive behind it, [length].
   double distance(int w, const cohesion::Vector3& centre) const;
 };

@@ -19,7 +19,7 @@ using cohesion::norm;
 using cohesion::Vector3;
 
 static constexpr double INFINITE = std::numeric_limits<double>::infinity();
-/// LAMMPS uses 1e20 for INF, [length].
+/// LAMMPS uses 1e20 for INF: larger extents than this are infinite, [length].
 static constexpr double FAR = 1e19;
 /// Samples along each line of for_each_sample().
 static constexpr int PLACES = 200;
@@ -43,7 +43,7 @@ RegionFaces::RegionFaces(LAMMPS* lmp, const std::string& where, const std::strin
   fingerprint_ = measured_fingerprint();
   require_aperiodic(where);
   check_directions(where);
-  smallest_curvature_radius_ = sampled_curvature_radius();
+  if (is_open_) smallest_curvature_radius_ = sampled_curvature_radius();
 }
 
 Region* RegionFaces::found() const { return engine_api::region_of(lmp_->domain, id_); }
@@ -85,14 +85,15 @@ void RegionFaces::require_aperiodic(const std::string& where) const {
   }
 }
 
-/// Calls what(at, points, curvature) for 800 places inside the region.
+/// Calls what(at, points, curvature) for those of 800 places that are inside the region.
 template <class What>
-void RegionFaces::for_each_sample(double size, const What& what) const {
+void RegionFaces::for_each_sample(const What& what) const {
+  if (!region_->bboxflag) return;
   const double low[] = {region_->extent_xlo, region_->extent_ylo, region_->extent_zlo};
   const double high[] = {region_->extent_xhi, region_->extent_yhi, region_->extent_zhi};
   const auto along = [&](int d, double part) {
-    if (low[d] <= -FAR) return (high[d] >= FAR ? 0.0 : high[d]) - part * size;
-    return low[d] + part * std::min(high[d] - low[d], size);
+    if (low[d] <= -FAR) return (high[d] >= FAR ? 0.0 : high[d]) - part * size();
+    return low[d] + part * std::min(high[d] - low[d], size());
   };
   // Along three lines, of which one is next to the axis of a cylinder or cone, and of a
   // low-discrepancy sequence: multiples of 1/g, 1/g^2, 1/g^3 with g^4 = g + 1, modulo 1.
@@ -125,10 +126,9 @@ double RegionFaces::size() const {
 /// direction z. Half-way to its nearest point a face is at half the distance. The round-off of a
 /// distance is 1e-16 of the size; the limit is 1e7 times this.
 void RegionFaces::check_directions(const std::string& where) const {
-  if (!region_->bboxflag) return;
   const double limit = 1e-9 * size();
   std::vector<WallPoint> half_way(count_);
-  for_each_sample(size(), [&](const Vector3& at, const std::vector<WallPoint>& here, Curvature) {
+  for_each_sample([&](const Vector3& at, const std::vector<WallPoint>& here, Curvature) {
     for (int face = 0; face < count_; face++) {
       if (!(here[face].distance < FAR)) continue;
       const Vector3 nearer = at + 0.5 * here[face].separation;
@@ -148,8 +148,7 @@ void RegionFaces::check_directions(const std::string& where) const {
 /// by at most 3/400 of the difference between the radii of the ends.
 double RegionFaces::sampled_curvature_radius() const {
   double smallest = INFINITE;
-  if (!region_->bboxflag) return smallest;
-  for_each_sample(size(), [&](const Vector3&, const std::vector<WallPoint>&, Curvature curvature) {
+  for_each_sample([&](const Vector3&, const std::vector<WallPoint>&, Curvature curvature) {
     smallest = std::min(smallest, curvature.radius);
   });
   return smallest;
@@ -177,10 +176,10 @@ double RegionFaces::measured_fingerprint() const {
   };
   add(region_->interior);
   for (int face = 0; face < 6; face++) add(region_->open_faces[face]);
-  for (int decade = -6; decade <= 6; decade++)
+  for (double size = 1e-6; size < 2e6; size *= 10.0)
     for (const Vector3& to : {Vector3{1.1, 0.7, 0.3}, Vector3{-0.9, 0.4, 1.2},
                               Vector3{0.2, -1.3, 0.8}, Vector3{-0.6, -0.5, -1.4}}) {
-      const double distance = depth(std::pow(10.0, decade) * to);
+      const double distance = depth(size * to);
       if (distance < FAR) add(distance);
     }
   constexpr int BITS = std::numeric_limits<double>::digits;

@@ -44,7 +44,8 @@ class RegionFaces {
   };
 
   /// Sets points[face] for all count() faces. A face that is `reach` [length] or farther away has
-  /// an infinite distance; behind the region all distances are negative.
+  /// an infinite distance; behind the region all distances are negative. Returns the curvature of
+  /// the faces within `reach`.
   Curvature find(const cohesion::Vector3& centre, const WallState& now, double reach,
                  WallPoint* points) const;
   /// Whether a centre is in front of the region and farther than `reach` from all its faces.
@@ -79,7 +80,7 @@ class RegionFaces {
   void require_static(const std::string& where) const;
   void require_aperiodic(const std::string& where) const;
   template <class What>
-  void for_each_sample(double size, const What& what) const;
+  void for_each_sample(const What& what) const;
   double size() const;
   void check_directions(const std::string& where) const;
   double sampled_curvature_radius() const;
@@ -100,7 +101,7 @@ class RegionFaces {
   bool is_cone_ = false;
   double curvature_per_number_ = 0.5;  // radius of curvature over LAMMPS' number of a contact
   double fingerprint_ = 0.0;
-  double smallest_curvature_radius_;  // [length]
+  double smallest_curvature_radius_;  // of an open region, [length]
 };
 
 }  // namespace LAMMPS_NS

@@ -6,51 +6,11 @@ import unittest
 import numpy
 
 from cohesion_tests import escape_table, lammps as engine
+from cohesion_tests.region_shapes import HEAD, SHAPES, regions
 from cohesion_tests.test_cases import ScriptTestCase
 from cohesion_tests.theory.pair_motion import CONTACT_TIME, CUT, DENSITY, DIAMETER, OUT
 from cohesion_tests.theory.slow_ramp import Grain
 from cohesion_tests.thermo import thermo_end
-
-HALF = math.sqrt(0.5)
-# Of each: the words of the region, a point of a face, and the normal there, towards the particles. Sizes [m]; the faces
-# are 20 radii of the spheres (0.5 mm) and more away from each other.
-SLOPE = math.hypot(0.06, 0.02)  # of the cones: from radius 0.02 to 0.04 over 0.06
-SHAPES = {
-    "block in": ("block -0.04 0.04 -0.04 0.04 -0.04 0.04", (0.01, -0.04, 0.01), (0, 1, 0)),
-    "block out": ("block -0.02 0.02 -0.02 0.02 -0.02 0.02 side out", (0.01, 0.01, 0.02), (0, 0, 1)),
-    "edge": ("block -0.02 0.02 -0.02 0.02 -0.02 0.02 side out", (0.02, 0.01, -0.02), (HALF, 0, -HALF)),
-    "corner": ("block -0.02 0.02 -0.02 0.02 -0.02 0.02 side out", (0.02, 0.02, 0.02), 3 * (1 / math.sqrt(3),)),
-    "barrel in": ("cylinder x 0.001 0 0.03 -0.04 0.04", (0.01, 0.001 + 0.018, 0.024), (0, -0.6, -0.8)),
-    "end in": ("cylinder x 0.001 0 0.03 -0.04 0.04", (0.04, 0.01, 0.01), (-1, 0, 0)),
-    "barrel out": ("cylinder y 0 0 0.02 -0.03 0.03 side out", (0.012, 0.01, 0.016), (0.6, 0, 0.8)),
-    "rim": ("cylinder y 0 0 0.02 -0.03 0.03 side out", (0.012, 0.03, 0.016), (0.6 * HALF, HALF, 0.8 * HALF)),
-    "open in": ("cylinder y 0 0 0.03 -0.03 0.03 open 1 open 2", (0.018, 0.01, 0.024), (-0.6, 0, -0.8)),
-    "open out": ("cylinder y 0 0 0.03 -0.03 0.03 open 1 open 2", (0.018, 0.01, 0.024), (0.6, 0, 0.8)),
-    "cone in": ("cone z 0 0 0.02 0.04 -0.03 0.03", (0.018, 0.024, 0.0),
-                (-0.6 * 0.06 / SLOPE, -0.8 * 0.06 / SLOPE, 0.02 / SLOPE)),
-    "cone out": ("cone x 0 0 0.02 0.04 -0.03 0.03 side out", (0.0, 0.018, 0.024),
-                 (-0.02 / SLOPE, 0.6 * 0.06 / SLOPE, 0.8 * 0.06 / SLOPE)),
-    "cone end out": ("cone z 0 0 0.02 0.04 -0.03 0.03 side out", (0.0, 0.0, 0.03), (0, 0, 1)),
-    "sphere in": ("sphere 0 0 0 0.03", (0.018, 0, 0.024), (-0.6, 0, -0.8)),
-    "sphere out": ("sphere 0 0 0 0.03 side out", (0.018, 0, 0.024), (0.6, 0, 0.8)),
-    "plane": ("plane 0 0 0 1 2 2", (0.02, -0.01, 0), (1 / 3, 2 / 3, 2 / 3)),
-    "prism": ("prism -0.04 0.04 -0.04 0.04 -0.04 0.04 0.08 0 0", (0.0, 0.0, 0.01), (HALF, -HALF, 0)),
-}
-HEAD = """
-plugin load ${{plugin}}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-{begin}
-neighbor 3e-4 bin
-{more}
-"""
-
-
-def regions():
-    return "".join(f"region shape{k} {words} units box\n" for k, (words, _, _) in enumerate(SHAPES.values(), 1))
 
 
 class Shapes(ScriptTestCase):
@@ -265,8 +225,8 @@ run {steps}
         numpy.testing.assert_array_equal(found[0][:, 1:3], found[1][:, 1:3])
         numpy.testing.assert_array_equal(found[0][:, 4:], found[1][:, 4:])
         numpy.testing.assert_array_equal(found[0][:, 3], -0.01)
-        # From rest, after half the contact time: w0 times the overlap, towards the axis. A velocity half a step later or
-        # earlier has the factor cos(pi/20) = 0.988.
+        # From rest, after half the contact time: w0 times the overlap, towards the axis. Half a step later or earlier
+        # the velocity has the factor cos(pi/20) = 0.988.
         speed = 1e-6 * math.sqrt(STIFFNESS / MASS)
         self.assertAlmostEqual(found[0][-1, 4] / speed, -1.0, delta=0.013)
 
@@ -285,7 +245,7 @@ run {steps}
         self.assertAlmostEqual((x[0] * v[1] - x[1] * v[0]) / ((0.01 - R - 1e-6) * 0.2), 1.0, delta=1e-11)
 
     def test_keeps_its_speed_in_a_barrel_and_a_sphere(self):
-        """Along a hollow or a convex face a sphere that adheres keeps its speed: 3 turns of 6283 steps and more."""
+        """Along a concave or a convex face a sphere that adheres keeps its speed: 3 turns of 6283 steps and more."""
         for shape, place, outwards in (("cylinder z 0 0 0.01 -0.02 0.02", 0.01 - R, ""),
                                        ("sphere 0 0 0 0.01", 0.01 - R, ""),
                                        ("sphere 0 0 0 0.01", 0.01 + R, "side out"),
@@ -337,8 +297,8 @@ run {steps}
         frame = numpy.array([0, 0, 0.05])
         numpy.testing.assert_allclose(moving[:, 1:4], still[:, 1:4] + steps * DT * frame, rtol=0, atol=1e-12)
         numpy.testing.assert_allclose(moving[:, 4:7], still[:, 4:7] + frame, rtol=0, atol=1e-8)
-        # A sphere that hits the side loses at least its velocity u into it. Across the side it is not faster than u, and
-        # comes back after 0.3 u 2 (0.01 - R)/(u^2 + 0.09 u^2) = 0.0052 m/u: adhesion makes it 0.0044 at 0.05 m/s.
+        # A sphere that hits the side loses at least its velocity u into it. If it is not faster than u across the side,
+        # it comes back after 0.3 u 2 (0.01 - R)/(u^2 + 0.09 u^2) = 0.0052 m/u: with adhesion 0.0044 at 0.05 m/s.
         hits = 0
         for (x, v, _), end in zip(cloud, still):
             (along, square), ahead = (x[:2] @ v[:2], v[:2] @ v[:2]), (0.01 - R)**2 - x[:2] @ x[:2]
