@@ -204,6 +204,13 @@ class Script(Translated):
         found, _ = self.contacts(script)  # 0.5
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
 
+    def test_signs_and_powers_are_those_of_the_engine(self):
+        """LIGGGHTS prints 4 for -2^2, 64 for 2^3^2 and 0.25 for 2^-2."""
+        for expression, value in (("-2^2", 4), ("2^3^2", 64), ("2^-2", 0.25), ("8-2^2", 4)):
+            script = self.changed(("variable R index 5e-4", f"variable a equal {expression}\nvariable R equal v_a*1e-4"))
+            found, _ = self.contacts(script)
+            self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, value * 1e-4 / 2))
+
     def test_sizes_of_set_and_of_the_command_line(self):
         template = next(line for line in SCRIPT.splitlines() if "particletemplate" in line)
         given, _ = self.contacts(SCRIPT)
