@@ -106,6 +106,11 @@ class ScriptCase {
   const std::optional<GranularModel>& pairs() const { return pairs_; }
   const std::vector<WallOfScript>& walls() const { return walls_; }
   const std::map<int, Grains>& grains() const { return grains_; }
+  std::set<int> wall_types() const {
+    std::set<int> types;
+    for (const WallOfScript& wall : walls_) types.insert(wall.type);
+    return types;
+  }
   const std::optional<double>& step() const { return step_; }
   const std::optional<double>& gravity() const { return gravity_; }
   const std::optional<double>& speed() const { return speed_; }
@@ -123,7 +128,7 @@ class ScriptCase {
 
   /// Sizes of the command line, for types that the script leaves without.
   void add_grains(const ScriptGrain& grain) {
-    for (const int type : created_types())
+    for (const int type : types_of_grains())
       grains_.emplace(type, Grains{grain, grain, {"the command line", 0, {"--diameter"}, 0}});
   }
 
@@ -273,17 +278,22 @@ class ScriptCase {
     }
   }
 
-  /// Of create_atoms; else all that have a Young's modulus, and are no wall's.
-  std::set<int> created_types() const {
-    if (!created_.empty()) return created_;
-    std::set<int> types;
-    const ScriptProperty* modulus = find("youngsModulus");
-    const int count = modulus ? static_cast<int>(modulus->where().words.size()) - 6 : 1;
-    for (int type = 1; type <= count; type++)
-      if (std::none_of(walls_.begin(), walls_.end(),
-                       [type](const WallOfScript& wall) { return wall.type == type; }))
-        types.insert(type);
+  std::set<int> created_types() const { return created_.empty() ? types_of_grains() : created_; }
+
+  /// All types that are no wall's.
+  std::set<int> types_of_grains() const {
+    const std::set<int> of_walls = wall_types();
+    std::set<int> types = created_;
+    for (int type = 1; type <= number_of_types(); type++)
+      if (!of_walls.count(type)) types.insert(type);
     return types.empty() ? std::set<int>{1} : types;
+  }
+  /// Of Young's moduli, or of stiffnesses.
+  int number_of_types() const {
+    if (const ScriptProperty* modulus = find("youngsModulus"))
+      return static_cast<int>(modulus->where().words.size()) - 6;
+    const ScriptProperty* stiffness = find("kn");
+    return stiffness ? stiffness->where().integer(6, "the number of types") : 1;
   }
 
   std::set<int> template_types() const {

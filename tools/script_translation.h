@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "advice/integrated_escape.h"
@@ -70,6 +72,7 @@ class TranslatedScript {
 
   /// Walls behind pairs: a wall of a grain's type has the strength of the pair.
   void add(const ContactPairOfTypes& contact) {
+    evaluated_.insert({std::min(contact.i, contact.j), std::max(contact.i, contact.j)});
     if (!contact.median.is_area()) return;
     models_.push_back(contact.model);
     const bool is_new = !strengths_.count({contact.i, contact.j});
@@ -95,6 +98,7 @@ class TranslatedScript {
     std::vector<std::string> lines = lines_of(file_);
     const ScriptCommand& density =
         script_.need(ScriptContact::area_property, *models_.front()).where();
+    require_sizes();
     std::set<int> changed;
     for (const GranularModel* model : models_)
       if (changed.insert(model->where.line).second)
@@ -112,6 +116,26 @@ class TranslatedScript {
 
   const char* property() const {
     return translation_.law == "jkr" ? "surfaceEnergy" : "hamakerConstant";
+  }
+
+  /// Throws std::runtime_error where a pair with an energy density was not evaluated.
+  void require_sizes() const {
+    const ScriptProperty& densities = script_.need(ScriptContact::area_property, *models_.front());
+    const int types = densities.where().integer(6, "the number of types");
+    for (int i = 1; i <= types; i++)
+      for (int j = i; j <= types; j++) {
+        if (evaluated_.count({i, j}) || has_size(i, j) || densities.of_pair(i, j) == 0.0) continue;
+        densities.where().fail("types " + std::to_string(i) + " and " + std::to_string(j) +
+                               " have an energy density but no known size: specify a template, or "
+                               "--diameter and --density");
+      }
+  }
+  /// Both types are those of walls or of grains of known size.
+  bool has_size(int i, int j) const {
+    const auto is_known = [this](int type) {
+      return script_.grains().count(type) || script_.wall_types().count(type);
+    };
+    return is_known(i) && is_known(j);
   }
 
   static std::vector<std::string> lines_of(const std::string& file) {
@@ -175,6 +199,7 @@ class TranslatedScript {
   const ScriptCase& script_;
   Translation translation_;
   std::vector<const GranularModel*> models_;
+  std::set<std::pair<int, int>> evaluated_;  // the lower type first
   std::map<std::pair<int, int>, double> strengths_;
   std::vector<std::string> warnings_;
 };
