@@ -3,9 +3,12 @@
 // Manual: docs/tools/cohesion-translate.md
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cohesion_version.h"
@@ -119,7 +122,19 @@ std::vector<ContactPairOfTypes> contacts_of(const ScriptCase& script) {
   return contacts;
 }
 
-/// Throws std::runtime_error unless the rule is known and the file is another than the script.
+/// Throws std::runtime_error if the target is one of the files, also by another path or a link.
+void refuse_to_replace(const std::vector<std::string>& files, const std::string& target) {
+  for (const std::string& file : files) {
+    std::error_code is_missing;
+    if (std::filesystem::equivalent(file, target, is_missing))
+      throw std::runtime_error(
+          "--write would replace " +
+          (file == files.front() ? "the script" : "the included file '" + file + "'") +
+          ": specify another file");
+  }
+}
+
+/// Throws std::runtime_error unless the rule is known.
 Translation translation_of(const TranslateRequest& r, const advice::SiUnits* units) {
   Translation t = r.translation;
   const double metre = units ? 1.0 / units->length : 1.0;
@@ -128,8 +143,6 @@ Translation translation_of(const TranslateRequest& r, const advice::SiUnits* uni
   if (!t.keeps_velocity && r.write[0] != "equal-force")
     throw std::runtime_error("--write " + r.write[0] +
                              ": write equal-force or equal-velocity, then the name of a file");
-  if (r.write[1] == r.script)
-    throw std::runtime_error("--write would replace the script: specify another file");
   return t;
 }
 
@@ -167,6 +180,7 @@ void run(const TranslateRequest& r) {
   std::fflush(stdout);
   warn(warnings.texts());
   if (r.write.empty()) return;
+  refuse_to_replace(reader.files(), r.write[1]);
   TranslatedScript translated(r.script, script, translation_of(r, script.units()));
   for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
   warn(translated.warnings());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -79,6 +82,8 @@ class ScriptReader {
     read_file(file, "the script");
     return commands_;
   }
+  /// The script and the files that it includes.
+  const std::vector<std::string>& files() const { return files_; }
 
  private:
   static constexpr int deepest_include = 20;
@@ -87,6 +92,7 @@ class ScriptReader {
     std::ifstream stream(file);
     if (!stream)
       throw std::runtime_error(what + " '" + file + "' cannot be read: check its name and folder");
+    files_.push_back(file);
     std::string text, whole;
     int line = 0, first = 0;
     while (std::getline(stream, text)) {
@@ -203,6 +209,7 @@ class ScriptReader {
 
   std::map<std::string, std::string> values_, fixed_;
   std::vector<ScriptCommand> commands_;
+  std::vector<std::string> files_;
   int depth_ = 0;
 };
 

@@ -309,9 +309,40 @@ class Written(Translated):
         self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
 
     def test_wall_of_the_type_of_grains(self):
-        text, error = self.written(self.changed(("primitive type 2", "primitive type 1")), "--write", "equal-force")
+        script = self.changed(("primitive type 2", "primitive type 1"), ("2 2e5 1e5", "2 2e5 0"), ("    1e5 0", "    0 0"))
+        text, error = self.written(script, "--write", "equal-force")
         self.assertIn("peratomtypepair 2 3.5939204e-19 0 0 0\n", text)
         self.assertIn("assign the wall an atom type of its own", error)
+
+    def test_types_without_a_size(self):
+        """Type 2 of the pairs comes from a file that the program does not read; type 3 is that of the plate."""
+        script = self.changed(
+            ("peratomtype 2e7 2e7", "peratomtype 2e7 2e7 2e7"), ("0.22 0.22", "0.22 0.22 0.22"),
+            ("peratomtypepair 2 0.9 0.9 0.9 0.9", "peratomtypepair 3" + 9 * " 0.9"), ("primitive type 2", "primitive type 3"),
+            ("2 2e5 1e5 &", "3 2e5 1e5 1e5 1e5 &"), ("    1e5 0", "    1e5 1e5 1e5 1e5 1e5"))
+        target = self.folder / "out.case"
+        code, output, error = self.call(script, "--write", "equal-force", target)
+        self.assertNotEqual(code, 0, output)
+        self.assertIn("in.case:7: types 1 and 2 have an energy density but no known size: specify a template, "
+                      "or --diameter and --density", error)
+        self.assertFalse(target.exists())
+        text, _ = self.written(script, "--write", "equal-force", "--diameter", 1e-3, "--density", 2500)
+        found, _ = self.contacts(text, "--diameter", 1e-3, "--density", 2500)
+        for name in ("1-2", "2-2"):
+            self.near(found[name]["pull_off"][1], sjkr_force(1e5, RADIUS / 2))
+
+    def test_files_of_the_script_are_not_replaced(self):
+        (self.folder / "part").write_text("units si\n")
+        script = self.changed(("units si", "include part"))
+        for name, target in (("link", "in.case"), ("link_of_part", "part")):
+            (self.folder / name).symlink_to(self.folder / target)
+        for target, what in (("./in.case", "the script:"), ("link", "the script:"), ("part", "the included file '"),
+                             ("./part", "the included file '"), ("link_of_part", "the included file '")):
+            code, output, error = self.call(script, "--write", "equal-force", f"{self.folder}/{target}")
+            self.assertNotEqual(code, 0, output)
+            self.assertIn(f"--write would replace {what}", error)
+            self.assertEqual((self.folder / "in.case").read_text(), script)
+            self.assertEqual((self.folder / "part").read_text(), "units si\n")
 
     def test_refusals(self):
         for script, words, parts in (
