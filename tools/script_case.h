@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,7 @@ class ScriptProperty {
   ScriptCommand where_;
 };
 
-/// What a script of LIGGGHTS says of contacts, in its units.
+/// Contact models, properties and grain sizes of a LIGGGHTS script, in its units.
 class ScriptCase {
  public:
   explicit ScriptCase(const std::vector<ScriptCommand>& commands) {
@@ -216,22 +217,35 @@ class ScriptCase {
     if (square > 0.0) speed_ = std::max(speed_.value_or(0.0), std::sqrt(square));
   }
 
-  /// A distribution behind `at`: constant v; uniform low high; gaussian mu sigma, whose smallest is
-  /// two deviations below the mean. A basis, number or mass, may stand behind its name.
-  static std::pair<double, double> smallest_and_median(const ScriptCommand& c, std::size_t at) {
+  /// Smallest radius, and median by mass, of the distribution behind `at`:
+  ///
+  ///   constant R                    R; R
+  ///   uniform [mass] a b            a; (a + b)/2: equal mass in equal ranges of the radius
+  ///   uniform number a b            a; ((a^4 + b^4)/2)^(1/4)
+  ///   gaussian [number] mu sigma    mu - 3 sigma, where it is cut off; mu + 3 sigma^2/mu, to
+  ///                                 second order of sigma/mu
+  ///
+  /// Source: probability_distribution.h of LIGGGHTS 3 (uniform number) and 3.8 (all others).
+  static std::pair<double, double> radii_of(const ScriptCommand& c, std::size_t at) {
     const std::string& kind = c.word(at, "a distribution");
-    const std::size_t k =
-        at + 1 + (c.has(at + 1) && (c.words[at + 1] == "number" || c.words[at + 1] == "mass"));
-    const double one = c.number(k, "a value of the distribution");
-    if (kind == "constant") return {one, one};
-    const double other = c.number(k + 1, "a value of the distribution");
-    if (kind == "uniform") return {one, 0.5 * (one + other)};
-    if (kind == "gaussian") {
-      if (one > 2.0 * other) return {one - 2.0 * other, one};
-      c.fail("a gaussian this wide has no smallest radius: use a mean above two deviations");
+    const bool by_number = c.has(at + 1) && c.words[at + 1] == "number";
+    const bool by_mass = c.has(at + 1) && c.words[at + 1] == "mass";
+    const std::size_t k = at + (by_number || by_mass ? 2 : 1);
+    if (kind == "constant") {
+      const double radius = c.number(k, "the radius");
+      return {radius, radius};
     }
-    c.fail("the distribution '" + kind +
-           "' is not evaluated: use constant, uniform or gaussian for this check");
+    if ((kind != "uniform" && kind != "gaussian") || (kind == "gaussian" && by_mass))
+      c.fail("the distribution '" + kind + (by_mass ? " mass" : "") +
+             "' is not evaluated: use constant, uniform or gaussian number for this check");
+    const double one = c.number(k, "a value of the distribution");
+    const double other = c.number(k + 1, "a value of the distribution");
+    if (kind == "uniform" && by_number)
+      return {one, std::pow(0.5 * (std::pow(one, 4) + std::pow(other, 4)), 0.25)};
+    if (kind == "uniform") return {one, 0.5 * (one + other)};
+    if (!(one > 3.0 * other))
+      c.fail("LIGGGHTS stops at a gaussian this wide: use a mean above three deviations");
+    return {one - 3.0 * other, one + 3.0 * other * other / one};
   }
 
   void read_template(const ScriptCommand& c) {
@@ -242,8 +256,12 @@ class ScriptCase {
     const std::size_t radius = c.find("radius"), density = c.find("density");
     if (!c.has(radius) || !c.has(density))
       c.fail("a template needs 'radius constant R' and 'density constant RHO': add both");
-    std::tie(t.smallest, t.median) = smallest_and_median(c, radius + 1);
-    t.density = smallest_and_median(c, density + 1).second;
+    std::tie(t.smallest, t.median) = radii_of(c, radius + 1);
+    if (c.word(density + 1, "a distribution") != "constant")
+      c.fail(
+          "a distribution of densities is not evaluated: use 'density constant RHO' for this "
+          "check");
+    t.density = c.number(density + 2, "the density");
     require_size(c, t.smallest, t.density);
     templates_.insert_or_assign(c.words[1], t);
   }

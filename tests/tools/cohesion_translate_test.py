@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """cohesion-translate: numbers of contacts against formulas written out again, warnings, and errors with their line."""
 import csv
+import itertools
 import math
 import re
 import tempfile
 import unittest
 from pathlib import Path
+from statistics import NormalDist
 
 from cohesion_tests import SOURCE
 from cohesion_tests.csv_program import CsvProgram
@@ -113,9 +115,31 @@ fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
         found, _ = self.contacts(script)
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
         self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, 1.5e-3 / 2))
+        # 2e-3 less three deviations.
+        narrow, _ = self.contacts(self.changed(("constant ${R}", "gaussian number 2e-3 5e-4")))
+        self.near(narrow["1-1"]["pull_off"][0], sjkr_force(2e5, 5e-4 / 2))
         by_number = script.replace("discrete 1 3", "discrete/numberbased 1 3")
-        # p3, the heaviest, has 0.2 * 1000 * 3^3 = 5400 of 0.3 * 2500/8 + 0.5 * 2500 * 1.5^3 + 5400 = 9712
-        self.near(self.contacts(by_number)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, 1.5e-3))
+        # p3, the heaviest, has 0.2 * 1000 * 3.25^3 = 6866 of 0.3 * 2500/8 + 0.5 * 2500 * 1.5^3 + 6866 = 11178;
+        # its median is 3e-3 + 3 * 25e-8/3e-3.
+        self.near(self.contacts(by_number)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, 3.25e-3 / 2))
+
+    def test_medians_by_mass_are_those_of_samples(self):
+        """Numbers of quantiles, each weighted with its mass; gaussian: cut off at three deviations."""
+        count = 20001
+        quantiles = [(k + 0.5) / count for k in range(count)]
+        normal = NormalDist(3e-3, 4e-4)
+        low, high = normal.cdf(1.8e-3), normal.cdf(4.2e-3)
+        for words, radii, within in (
+                ("uniform number 1e-3 2e-3", [1e-3 * (1 + q) for q in quantiles], 1e-3),
+                ("uniform mass 1e-3 2e-3", [1e-3 / math.sqrt(1 - 0.75 * q) for q in quantiles], 1e-3),
+                ("uniform 1e-3 2e-3", [1e-3 / math.sqrt(1 - 0.75 * q) for q in quantiles], 1e-3),
+                ("gaussian 3e-3 4e-4", [normal.inv_cdf(low + q * (high - low)) for q in quantiles], 0.01),
+                ("gaussian number 3e-3 4e-4", [normal.inv_cdf(low + q * (high - low)) for q in quantiles], 0.01)):
+            half = sum(r**3 for r in radii) / 2
+            median = next(r for r, mass in zip(radii, itertools.accumulate(r**3 for r in radii)) if mass >= half)
+            found, _ = self.contacts(self.changed(("constant ${R}", words)))
+            self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, median / 2), 2 * within)
+            self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, round(min(radii), 5) / 2))
 
     def test_speed_of_the_script(self):
         insertion = "fix i all insert/pack seed 1 distributiontemplate d vel constant 0 3 -4 region r\n"
@@ -380,7 +404,10 @@ class Errors(Translated):
         self.refused(self.changed(("variable R index", "#")),
                      "in.case:11: the value of the variable 'R'", "--var R VALUE")
         self.refused(self.changed(("constant ${R}", "constant 1mm")), "in.case:11: '1mm' is no number")
-        self.refused(self.changed(("constant ${R}", "lognormal 1 2")), "in.case:11", "uniform or gaussian")
+        self.refused(self.changed(("constant ${R}", "lognormal 1 2")), "in.case:11", "uniform or gaussian number")
+        self.refused(self.changed(("constant ${R}", "gaussian mass 1e-3 1e-4")), "in.case:11", "'gaussian mass'")
+        self.refused(self.changed(("constant ${R}", "gaussian 1e-3 4e-4")), "in.case:11", "above three deviations")
+        self.refused(self.changed(("density constant 2500", "density uniform 2000 3000")), "in.case:11", "constant RHO")
         self.refused(self.changed(("    1e5 0", "    2e5 0")), "in.case:7", "symmetric")
         self.refused(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7")), "in.case:4", "youngsModulus of type 2")
         self.refused(self.changed(("0.22 0.22", "0.22 0.7")), "Poisson's ratio", "0.7")
