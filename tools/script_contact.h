@@ -69,6 +69,7 @@ class ScriptContact {
         pair_(pair),
         spring_(spring()),
         cohesion_(known_cohesion()) {
+    refuse_other_forces();
     set_cohesion();
   }
 
@@ -184,6 +185,14 @@ class ScriptContact {
       if (known.name == model_.cohesion) return known;
     model_.where.fail("'cohesion " + model_.cohesion +
                       "' is not evaluated: use off, sjkr, sjkr2, hamaker or jkr for this check");
+  }
+
+  /// Keywords that change the normal force.
+  void refuse_other_forces() const {
+    for (const char* keyword : {"limitForce", "viscous"})
+      if (model_.has_on(keyword))
+        model_.where.fail(std::string("'") + keyword +
+                          " on' is not evaluated: remove it for this check");
   }
 
   void set_cohesion() {

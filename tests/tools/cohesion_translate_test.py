@@ -398,6 +398,10 @@ class Errors(Translated):
                      "in.case:10: 'cohesion easo/capillary/viscous' is not evaluated", "sjkr2")
         self.refused(self.changed(("model hertz tangential history cohesion sjkr  #", "model luding #")),
                      "in.case:9: 'model luding' is not evaluated")
+        for keyword in ("limitForce", "viscous"):
+            self.refused(self.changed(("cohesion sjkr  #", f"cohesion sjkr {keyword} on #")),
+                         f"in.case:9: '{keyword} on' is not evaluated: remove it for this check")
+        self.contacts(self.changed(("cohesion sjkr  #", "cohesion sjkr limitForce off #")))
         self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")),
                      "in.case:9", "LIGGGHTS 3")
         self.refused(self.changed(("youngsModulus", "youngModulus")), "youngsModulus", "add this line")
