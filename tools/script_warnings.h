@@ -155,17 +155,7 @@ class ScriptWarnings {
     const ScriptContact& c = pair.smallest;
     const double bond = c.bond_number(conditions_.gravity);
     const std::string cohesion = pair.title + ": cohesion " + pair.model->cohesion;
-    if (c.is_area() && !c.is_hertz()) {
-      if (bond == 0.0)
-        add(pair.model->where, cohesion + " has no pull-off force with model " +
-                                   pair.model->normal +
-                                   ", whose spring exceeds it at every overlap: use model hertz, "
-                                   "or 'cohesion hamaker'");
-      else
-        add(place(pair), cohesion + " exceeds the spring at every overlap and spheres collapse: " +
-                             "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
-      return;
-    }
+    if (c.is_area() && !c.is_hertz()) return check_linear_spring(pair, cohesion);
     if (c.overlap_at_pull_off() > largest_linear_overlap)
       add(place(pair), cohesion + " is strongest at an overlap of " +
                            digits(c.overlap_at_pull_off()) +
@@ -182,6 +172,23 @@ class ScriptWarnings {
     add(place(pair), text);
   }
   static constexpr double largest_linear_overlap = 0.1;  // of R*
+
+  /// An attraction by area and a linear spring.
+  void check_linear_spring(const ContactPairOfTypes& pair, const std::string& cohesion) {
+    const ScriptContact& c = pair.smallest;
+    if (c.pull_off_force() > 0.0)
+      add(place(pair), cohesion + " exceeds the spring at every overlap and spheres collapse: " +
+                           "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
+    else if (c.escape_velocity() > 0.0)
+      add(place(pair), cohesion +
+                           " reduces the spring until the dashpot damps it critically, and " +
+                           "contacts never separate: decrease cohesionEnergyDensity, or use " +
+                           "'cohesion hamaker'");
+    else
+      add(pair.model->where, cohesion + " has no pull-off force with model " + pair.model->normal +
+                                 ", whose spring exceeds it at every overlap: use model hertz, "
+                                 "or 'cohesion hamaker'");
+  }
 
   std::string area_remedy(const ScriptContact& c) const {
     const advice::SiUnits* units = script_.units();

@@ -167,11 +167,22 @@ fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
         found, error = self.contacts(stiff)
         self.near(found["1-1"]["contact_time"][0], math.pi * math.sqrt(MASS / 2 / 500))
         self.assertEqual(found["1-1"]["pull_off"][0], 0)
+        self.assertEqual(found["1-1"]["escape_velocity"][0], 0)
         self.assertIn("no pull-off force with model hooke/stiffness", error)
         # 2 pi R* k = 314 N/m is above the spring
         found, error = self.contacts(stiff.replace("2 500", "2 300"))
         self.assertEqual(found["1-1"]["pull_off"][0], math.inf)
+        self.assertEqual(found["1-1"]["escape_velocity"][0], math.inf)
         self.assertIn("spheres collapse", error)
+        # The net spring 500 - 100 pi N/m is critically damped at gamman = 2 sqrt(net/m), m = MASS/2.
+        critical = 2 * math.sqrt((500 - 100 * math.pi) / (MASS / 2))
+        for gamman, escape, warning in ((0.99 * critical, 0, "no pull-off force"),
+                                        (1.01 * critical, math.inf, "contacts never separate")):
+            found, error = self.contacts(stiff.replace("gamman peratomtypepair 2 10", f"gamman peratomtypepair 2 {gamman!r}"))
+            self.assertEqual(found["1-1"]["pull_off"][0], 0)
+            self.assertEqual(found["1-1"]["escape_velocity"][0], escape)
+            self.assertIn(f"in.case:{7 if escape else 9}: types 1 and 1: cohesion sjkr", error)
+            self.assertIn(warning, error)
         found, _ = self.contacts(self.changed(("model hertz", "model hooke"))
                                  + "fix v all property/global characteristicVelocity scalar 2\n")
         stiffness = 16 / 15 * math.sqrt(RADIUS / 2) * MODULUS * (
@@ -402,6 +413,10 @@ class Errors(Translated):
             self.refused(self.changed(("cohesion sjkr  #", f"cohesion sjkr {keyword} on #")),
                          f"in.case:9: '{keyword} on' is not evaluated: remove it for this check")
         self.contacts(self.changed(("cohesion sjkr  #", "cohesion sjkr limitForce off #")))
+        self.refused(self.changed(("model hertz tangential history cohesion sjkr  #", "model hooke cohesion jkr #"),
+                                  ("cohesionEnergyDensity", "surfaceEnergy"))
+                     + "fix v all property/global characteristicVelocity scalar 2\n",
+                     "in.case:9: 'cohesion jkr' needs 'model hertz', not 'model hooke'")
         self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")),
                      "in.case:9", "LIGGGHTS 3")
         self.refused(self.changed(("youngsModulus", "youngModulus")), "youngsModulus", "add this line")
