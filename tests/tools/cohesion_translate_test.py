@@ -246,6 +246,25 @@ class Script(Translated):
             found, _ = self.contacts(script)
             self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, value * 1e-4 / 2))
 
+    def test_variables_that_change(self):
+        for lines, expected in (
+                # An expression is evaluated where it is used.
+                ("variable D string 1e-3\nvariable R equal v_D/2\nvariable D string 2e-3", 1e-3),
+                ("variable R index 3e-3\nvariable R delete\nvariable R index 5e-4", 5e-4),
+                ("variable n loop 12 pad\nvariable R string ${n}e-3", 1e-3),
+                ("variable n loop 2 12\nvariable R string ${n}e-3", 2e-3)):
+            found, _ = self.contacts(self.changed(("variable R index 5e-4", lines)))
+            self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, expected / 2))
+        code, _, error = self.call(self.changed(("variable R index 5e-4", "variable R index 5e-4\nvariable R delete")))
+        self.assertNotEqual(code, 0)
+        self.assertIn("in.case:12: the value of the variable 'R'", error)
+        code, _, error = self.call(self.changed(("variable R index 5e-4", "variable R equal v_S\nvariable S equal v_R")))
+        self.assertNotEqual(code, 0)
+        self.assertIn("the value of the variable 'R'", error)
+        # Leading zeros to the width of the last value.
+        (self.folder / "part01").write_text("units si\n")
+        self.contacts(self.changed(("units si", "variable n loop 12 pad\ninclude part${n}")))
+
     def test_sizes_of_set_and_of_the_command_line(self):
         template = next(line for line in SCRIPT.splitlines() if "particletemplate" in line)
         given, _ = self.contacts(SCRIPT)
