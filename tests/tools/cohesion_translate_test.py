@@ -404,7 +404,7 @@ class Written(Translated):
                 (SCRIPT, ("equal-force", self.folder / "in.case"), ("would replace the script",)),
                 (SCRIPT, ("equal-force", "/nowhere/out"), ("'/nowhere/out' cannot be written",)),
                 (SCRIPT.replace("cohesion sjkr", ""), ("equal-force", "out"), ("no cohesion sjkr",)),
-                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("units si", "variable c index sjkr")),
+                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("# own case", "variable c index sjkr")),
                  ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
                 (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
                 (self.changed(("model hertz", "model hooke"))
@@ -414,6 +414,37 @@ class Written(Translated):
             self.assertNotEqual(code, 0, output)
             for part in parts:
                 self.assertIn(part, error)
+
+
+class Units(Translated):
+    def refused(self, script, text, *words):
+        code, output, error = self.call(script, *words)
+        self.assertNotEqual(code, 0, output)
+        self.assertIn(text, error)
+
+    def test_units_without_metres_have_no_defaults(self):
+        gravity = next(line for line in SCRIPT.splitlines() if "fix gravity" in line)
+        for units in ("units lj", ""):
+            script = self.changed(("units si", units))
+            speed, target = ("--speed", 1), self.folder / "out.case"
+            self.refused(script, "units lj have no speed in metres per second: specify --speed")
+            self.refused(script.replace(gravity, ""), "units lj have no acceleration", *speed)
+            self.refused(script, "units lj have no length in metres: specify --cutoff",
+                         *speed, "--write", "equal-force", target)
+            self.assertFalse(target.exists())
+            for words in (("--cutoff", 4e-10, 1e-7), ("--law", "jkr")):
+                code, _, error = self.call(script, *speed, "--write", "equal-force", target, *words)
+                self.assertEqual(code, 0, error)
+                target.unlink()
+
+    def test_assumed_conditions_are_marked(self):
+        script = "\n".join(line for line in SCRIPT.splitlines() if "fix gravity" not in line)
+        for text, words, line in (
+                (script, (), "Impacts at 1 [length/time] (assumed); gravity 9.81 [length/time^2] (assumed)"),
+                (SCRIPT, ("--speed", 2), "Impacts at 2 [length/time]; gravity 9.81 [length/time^2]")):
+            code, output, error = self.call(text, *words)
+            self.assertEqual(code, 0, error)
+            self.assertEqual(output.splitlines()[0], line)
 
 
 class Errors(Translated):
