@@ -199,10 +199,17 @@ class ScriptCase {
           {c.words[1], c.integer(c.find("type", at) + 1, "the type of the wall"), model});
       return;
     }
-    const std::size_t meshes = c.find("meshes");
+    const std::size_t meshes = c.find("meshes"), count = c.find("n_meshes");
     if (!c.has(meshes)) c.fail("has neither 'primitive' nor 'meshes': add the kind of the wall");
-    for (std::size_t k = meshes + 1; c.has(k) && mesh_types_.count(c.words[k]); k++)
-      walls_.push_back({c.words[k], mesh_types_[c.words[k]], model});
+    if (!c.has(count)) c.fail("has 'meshes' without 'n_meshes': add 'n_meshes' and their number");
+    const int number = c.integer(count + 1, "the number of meshes");
+    for (int k = 1; k <= number; k++) {
+      const std::string& id = c.word(meshes + static_cast<std::size_t>(k), "the ID of a mesh");
+      const auto type = mesh_types_.find(id);
+      if (type == mesh_types_.end())
+        c.fail("mesh '" + id + "' has no 'fix mesh/surface ... type': define it before the wall");
+      walls_.push_back({id, type->second, model});
+    }
   }
 
   /// The fastest insertion is the speed of impacts.

@@ -481,6 +481,12 @@ class Errors(Translated):
         self.refused(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7")), "in.case:4", "youngsModulus of type 2")
         self.refused(self.changed(("0.22 0.22", "0.22 0.7")), "Poisson's ratio", "0.7")
         self.refused(self.changed(("primitive type", "kind")), "in.case:10", "primitive")
+        wall = "primitive type 2 zplane 0"
+        self.refused(self.changed((wall, "mesh n_meshes 1 meshes cad")),
+                     "in.case:10: mesh 'cad' has no 'fix mesh/surface ... type': define it before the wall")
+        self.refused(self.changed((wall, "mesh n_meshes 2 meshes cad"), ("units si", "fix cad all mesh/surface file x type 2")),
+                     "in.case:10", "ends before the ID of a mesh")
+        self.refused(self.changed((wall, "mesh meshes cad")), "in.case:10", "add 'n_meshes'")
         self.refused("units si\n", "neither 'pair_style gran' nor")
         self.refused(self.changed(("fix p1", "#")), "specify --diameter and --density")
         self.refused("include nowhere\n", "in.case:1: the file 'nowhere' cannot be read")
