@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -31,8 +32,8 @@ struct Translation {
   }
 };
 
-/// The strength of the law of `t` that keeps what is asked of this contact: Hamaker constant, or
-/// surface energy. Throws std::runtime_error where sjkr is not in Hertz's contact.
+/// The strength of the law of `t` that gives the same pull-off force or escape velocity: Hamaker
+/// constant, or surface energy. Throws std::runtime_error where sjkr is not in Hertz's contact.
 inline double translated_strength(const ScriptContact& c, const Translation& t) {
   if (!c.is_hertz() || (t.law == "jkr" && c.model().normal != "hertz"))
     c.model().where.fail("'model " + c.model().normal + "' with cohesion " + c.model().cohesion +
@@ -74,6 +75,7 @@ class TranslatedScript {
   void add(const ContactPairOfTypes& contact) {
     evaluated_.insert({std::min(contact.i, contact.j), std::max(contact.i, contact.j)});
     if (!contact.median.is_area()) return;
+    warn_of_friction(*contact.model);
     models_.push_back(contact.model);
     const bool is_new = !strengths_.count({contact.i, contact.j});
     const double strength = translated_strength(contact.median, translation_);
@@ -95,7 +97,7 @@ class TranslatedScript {
   void write(const std::string& target) const {
     if (models_.empty())
       throw std::runtime_error(file_ + ": has no cohesion sjkr or sjkr2 to translate");
-    std::vector<std::string> lines = lines_of(file_);
+    Lines lines = lines_of(file_);
     const ScriptCommand& density =
         script_.need(ScriptContact::area_property, *models_.front()).where();
     require_sizes();
@@ -105,14 +107,27 @@ class TranslatedScript {
         replace(lines, model->where, with_law(model->where, joined(lines, model->where)));
     replace(lines, density, properties(density));
     std::ofstream stream(target);
-    for (const std::string& line : lines)
-      if (line != removed) stream << line << '\n';
+    for (const std::optional<std::string>& line : lines)
+      if (line) stream << *line << '\n';
     if (!stream.flush())
       throw std::runtime_error("'" + target + "' cannot be written: check its folder");
   }
 
  private:
-  inline static const std::string removed = "\r";
+  using Lines = std::vector<std::optional<std::string>>;  // empty: removed
+
+  /// Once for each line.
+  void warn_of_friction(const GranularModel& model) {
+    const auto is_same = [&](const GranularModel* other) {
+      return other->where.place() == model.where.place();
+    };
+    if (!model.has_on("tangential_reduce") || std::any_of(models_.begin(), models_.end(), is_same))
+      return;
+    warnings_.push_back(model.where.place() + ": 'tangential_reduce on' is removed, and cohesion " +
+                        translation_.law +
+                        " does not reduce friction: check the friction "
+                        "coefficients");
+  }
 
   const char* property() const {
     return translation_.law == "jkr" ? "surfaceEnergy" : "hamakerConstant";
@@ -138,27 +153,26 @@ class TranslatedScript {
     return is_known(i) && is_known(j);
   }
 
-  static std::vector<std::string> lines_of(const std::string& file) {
-    std::vector<std::string> lines;
+  static Lines lines_of(const std::string& file) {
+    Lines lines;
     std::ifstream stream(file);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    for (std::string line; std::getline(stream, line);) lines.emplace_back(line);
     return lines;
   }
 
   /// The lines of a command, as they are written.
-  std::string joined(const std::vector<std::string>& lines, const ScriptCommand& c) const {
+  std::string joined(const Lines& lines, const ScriptCommand& c) const {
     if (c.file != file_)
       c.fail("this line is in an included file, which is not translated: move it into '" + file_ +
              "'");
     std::string all;
     for (int k = c.line; k <= c.last_line; k++)
-      all += (k > c.line ? "\n" : "") + lines[static_cast<std::size_t>(k) - 1];
+      all += (k > c.line ? "\n" : "") + lines[static_cast<std::size_t>(k) - 1].value_or("");
     return all;
   }
-  void replace(std::vector<std::string>& lines, const ScriptCommand& c,
-               const std::string& text) const {
+  void replace(Lines& lines, const ScriptCommand& c, const std::string& text) const {
     joined(lines, c);
-    for (int k = c.line; k <= c.last_line; k++) lines[static_cast<std::size_t>(k) - 1] = removed;
+    for (int k = c.line; k <= c.last_line; k++) lines[static_cast<std::size_t>(k) - 1].reset();
     lines[static_cast<std::size_t>(c.line) - 1] = text;
   }
 

@@ -358,6 +358,22 @@ class Written(Translated):
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
 
+    def test_blank_lines_of_a_script_with_carriage_returns_stay(self):
+        script = self.changed(("units si\n", "units si\n\n\n"))
+        (self.folder / "in.case").write_bytes(script.replace("\n", "\r\n").encode())
+        target = self.folder / "out.case"
+        code, _, error = program.call(self.folder / "in.case", "--write", "equal-force", target)
+        self.assertEqual(code, 0, error)
+        self.assertIn(b"units si\r\n\r\n\r\nvariable R", target.read_bytes())
+
+    def test_friction_of_the_attraction(self):
+        script = self.changed(("cohesion sjkr  #", "cohesion sjkr tangential_reduce on #"))
+        text, error = self.written(script, "--write", "equal-force")
+        self.assertNotIn("tangential_reduce", text)
+        self.assertEqual(error.count("in.case:9: 'tangential_reduce on' is removed"), 1)
+        _, error = self.written(script.replace("reduce on", "reduce off"), "--write", "equal-force")
+        self.assertNotIn("tangential_reduce", error)
+
     def test_default_cutoffs_are_in_the_units_of_the_script(self):
         text, _ = self.written(self.changed(("units si", "units cgs")), "--write", "equal-force")
         self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
