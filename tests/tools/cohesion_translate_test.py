@@ -178,7 +178,8 @@ fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
         critical = 2 * math.sqrt((500 - 100 * math.pi) / (MASS / 2))
         for gamman, escape, warning in ((0.99 * critical, 0, "no pull-off force"),
                                         (1.01 * critical, math.inf, "contacts never separate")):
-            found, error = self.contacts(stiff.replace("gamman peratomtypepair 2 10", f"gamman peratomtypepair 2 {gamman!r}"))
+            found, error = self.contacts(stiff.replace("gamman peratomtypepair 2 10",
+                                                       f"gamman peratomtypepair 2 {gamman!r}"))
             self.assertEqual(found["1-1"]["pull_off"][0], 0)
             self.assertEqual(found["1-1"]["escape_velocity"][0], escape)
             self.assertIn(f"in.case:{7 if escape else 9}: types 1 and 1: cohesion sjkr", error)
@@ -242,7 +243,8 @@ class Script(Translated):
     def test_signs_and_powers_are_those_of_the_engine(self):
         """LIGGGHTS prints 4 for -2^2, 64 for 2^3^2 and 0.25 for 2^-2."""
         for expression, value in (("-2^2", 4), ("2^3^2", 64), ("2^-2", 0.25), ("8-2^2", 4)):
-            script = self.changed(("variable R index 5e-4", f"variable a equal {expression}\nvariable R equal v_a*1e-4"))
+            script = self.changed(("variable R index 5e-4",
+                                   f"variable a equal {expression}\nvariable R equal v_a*1e-4"))
             found, _ = self.contacts(script)
             self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, value * 1e-4 / 2))
 
@@ -258,7 +260,8 @@ class Script(Translated):
         code, _, error = self.call(self.changed(("variable R index 5e-4", "variable R index 5e-4\nvariable R delete")))
         self.assertNotEqual(code, 0)
         self.assertIn("in.case:12: the value of the variable 'R'", error)
-        code, _, error = self.call(self.changed(("variable R index 5e-4", "variable R equal v_S\nvariable S equal v_R")))
+        circle = self.changed(("variable R index 5e-4", "variable R equal v_S\nvariable S equal v_R"))
+        code, _, error = self.call(circle)
         self.assertNotEqual(code, 0)
         self.assertIn("the value of the variable 'R'", error)
         # Leading zeros to the width of the last value.
@@ -379,7 +382,8 @@ class Written(Translated):
         self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
 
     def test_wall_of_the_type_of_grains(self):
-        script = self.changed(("primitive type 2", "primitive type 1"), ("2 2e5 1e5", "2 2e5 0"), ("    1e5 0", "    0 0"))
+        script = self.changed(("primitive type 2", "primitive type 1"), ("2 2e5 1e5", "2 2e5 0"),
+                              ("    1e5 0", "    0 0"))
         text, error = self.written(script, "--write", "equal-force")
         self.assertIn("peratomtypepair 2 3.5939204e-19 0 0 0\n", text)
         self.assertIn("assign the wall an atom type of its own", error)
@@ -388,7 +392,8 @@ class Written(Translated):
         """Type 2 of the pairs comes from a file that the program does not read; type 3 is that of the plate."""
         script = self.changed(
             ("peratomtype 2e7 2e7", "peratomtype 2e7 2e7 2e7"), ("0.22 0.22", "0.22 0.22 0.22"),
-            ("peratomtypepair 2 0.9 0.9 0.9 0.9", "peratomtypepair 3" + 9 * " 0.9"), ("primitive type 2", "primitive type 3"),
+            ("peratomtypepair 2 0.9 0.9 0.9 0.9", "peratomtypepair 3" + 9 * " 0.9"),
+            ("primitive type 2", "primitive type 3"),
             ("2 2e5 1e5 &", "3 2e5 1e5 1e5 1e5 &"), ("    1e5 0", "    1e5 1e5 1e5 1e5 1e5"))
         target = self.folder / "out.case"
         code, output, error = self.call(script, "--write", "equal-force", target)
@@ -500,7 +505,8 @@ class Errors(Translated):
         wall = "primitive type 2 zplane 0"
         self.refused(self.changed((wall, "mesh n_meshes 1 meshes cad")),
                      "in.case:10: mesh 'cad' has no 'fix mesh/surface ... type': define it before the wall")
-        self.refused(self.changed((wall, "mesh n_meshes 2 meshes cad"), ("units si", "fix cad all mesh/surface file x type 2")),
+        self.refused(self.changed((wall, "mesh n_meshes 2 meshes cad"),
+                                  ("units si", "fix cad all mesh/surface file x type 2")),
                      "in.case:10", "ends before the ID of a mesh")
         self.refused(self.changed((wall, "mesh meshes cad")), "in.case:10", "add 'n_meshes'")
         self.refused("units si\n", "neither 'pair_style gran' nor")
