@@ -3,9 +3,12 @@
 // Manual: docs/tools/cohesion-translate.md
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cohesion_version.h"
@@ -36,7 +39,8 @@ void add_options(CLI::App& app, TranslateRequest& r) {
   app.add_option("--var", r.variables, "name and value of a variable, as often as needed")
       ->type_name("NAME VALUE")
       ->expected(2, 1000);
-  app.add_option("--speed", r.speed, "of impacts; default: of the fastest insertion, or 1 m/s")
+  app.add_option("--speed", r.speed,
+                 "of impacts; default: of the fastest insertion, or 1 m/s; none for units lj")
       ->check(CLI::PositiveNumber);
   auto* diameter = app.add_option("--diameter", r.diameter, "of grains whose size the script lacks")
                        ->check(CLI::PositiveNumber);
@@ -54,7 +58,8 @@ void add_options(CLI::App& app, TranslateRequest& r) {
       ->capture_default_str()
       ->needs(write);
   app.add_option("--cutoff", r.translation.cutoffs,
-                 "H_cut and H_out of hamaker, in the units of the script; default: 4e-10 1e-7 m")
+                 "H_cut and H_out of hamaker, in the units of the script; default: 4e-10 1e-7 m; "
+                 "none for units lj")
       ->check(CLI::PositiveNumber)
       ->expected(2)
       ->needs(write);
@@ -70,15 +75,29 @@ std::map<std::string, std::string> variables_of(const TranslateRequest& r) {
   return values;
 }
 
+/// Throws std::runtime_error: units without a length in metres have no defaults.
+[[noreturn]] void require_in_units(const ScriptCase& script, const std::string& what_and_cure) {
+  throw std::runtime_error("units " + script.unit_name() + " have no " + what_and_cure);
+}
+
 ContactConditions conditions_of(const TranslateRequest& r, const ScriptCase& script) {
+  ContactConditions conditions{};
   const advice::SiUnits* units = script.units();
+  conditions.is_speed_assumed = !(r.speed > 0.0) && !script.speed();
+  conditions.is_gravity_assumed = !script.gravity();
+  if (!units && conditions.is_speed_assumed)
+    require_in_units(script, "speed in metres per second: specify --speed");
+  if (!units && conditions.is_gravity_assumed)
+    require_in_units(script,
+                     "acceleration in metres per second squared: add 'fix ID all gravity ...'");
   const double metre = units ? 1.0 / units->length : 1.0, second = units ? 1.0 / units->time : 1.0;
-  const double speed = r.speed > 0.0 ? r.speed : script.speed().value_or(metre / second);
-  const double gravity = script.gravity().value_or(9.81 * metre / (second * second));
-  if (!(gravity > 0.0))
+  conditions.speed = r.speed > 0.0 ? r.speed : script.speed().value_or(metre / second);
+  conditions.gravity = script.gravity().value_or(9.81 * metre / (second * second));
+  conditions.step = script.step().value_or(0.0);
+  if (!(conditions.gravity > 0.0))
     throw std::runtime_error(
         "fix gravity has no acceleration above 0, so that there is no Bond number: specify one");
-  return {speed, gravity, script.step().value_or(0.0), !(r.speed > 0.0) && !script.speed()};
+  return conditions;
 }
 
 /// Throws std::runtime_error with the line of the model where a value is outside its range.
@@ -119,17 +138,30 @@ std::vector<ContactPairOfTypes> contacts_of(const ScriptCase& script) {
   return contacts;
 }
 
-/// Throws std::runtime_error unless the rule is known and the file is another than the script.
-Translation translation_of(const TranslateRequest& r, const advice::SiUnits* units) {
+/// Throws std::runtime_error if the target is one of the files, also by another path or a link.
+void refuse_to_replace(const std::vector<std::string>& files, const std::string& target) {
+  for (const std::string& file : files) {
+    std::error_code is_missing;
+    if (std::filesystem::equivalent(file, target, is_missing))
+      throw std::runtime_error(
+          "--write would replace " +
+          (file == files.front() ? "the script" : "the included file '" + file + "'") +
+          ": specify another file");
+  }
+}
+
+/// Throws std::runtime_error unless the rule is known and cutoffs are specified or in metres.
+Translation translation_of(const TranslateRequest& r, const ScriptCase& script) {
   Translation t = r.translation;
-  const double metre = units ? 1.0 / units->length : 1.0;
-  if (t.cutoffs.empty()) t.cutoffs = {4e-10 * metre, 1e-7 * metre};
+  const advice::SiUnits* units = script.units();
+  if (t.law == "hamaker" && t.cutoffs.empty()) {
+    if (!units) require_in_units(script, "length in metres: specify --cutoff");
+    t.cutoffs = {4e-10 / units->length, 1e-7 / units->length};
+  }
   t.keeps_velocity = r.write[0] == "equal-velocity";
   if (!t.keeps_velocity && r.write[0] != "equal-force")
     throw std::runtime_error("--write " + r.write[0] +
                              ": write equal-force or equal-velocity, then the name of a file");
-  if (r.write[1] == r.script)
-    throw std::runtime_error("--write would replace the script: specify another file");
   return t;
 }
 
@@ -167,7 +199,8 @@ void run(const TranslateRequest& r) {
   std::fflush(stdout);
   warn(warnings.texts());
   if (r.write.empty()) return;
-  TranslatedScript translated(r.script, script, translation_of(r, script.units()));
+  refuse_to_replace(reader.files(), r.write[1]);
+  TranslatedScript translated(r.script, script, translation_of(r, script));
   for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
   warn(translated.warnings());
   translated.write(r.write[1]);

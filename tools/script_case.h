@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,7 @@ class ScriptProperty {
   ScriptCommand where_;
 };
 
-/// What a script of LIGGGHTS says of contacts, in its units.
+/// Contact models, properties and grain sizes of a LIGGGHTS script, in its units.
 class ScriptCase {
  public:
   explicit ScriptCase(const std::vector<ScriptCommand>& commands) {
@@ -106,6 +107,11 @@ class ScriptCase {
   const std::optional<GranularModel>& pairs() const { return pairs_; }
   const std::vector<WallOfScript>& walls() const { return walls_; }
   const std::map<int, Grains>& grains() const { return grains_; }
+  std::set<int> wall_types() const {
+    std::set<int> types;
+    for (const WallOfScript& wall : walls_) types.insert(wall.type);
+    return types;
+  }
   const std::optional<double>& step() const { return step_; }
   const std::optional<double>& gravity() const { return gravity_; }
   const std::optional<double>& speed() const { return speed_; }
@@ -123,7 +129,7 @@ class ScriptCase {
 
   /// Sizes of the command line, for types that the script leaves without.
   void add_grains(const ScriptGrain& grain) {
-    for (const int type : created_types())
+    for (const int type : types_of_grains())
       grains_.emplace(type, Grains{grain, grain, {"the command line", 0, {"--diameter"}, 0}});
   }
 
@@ -193,10 +199,17 @@ class ScriptCase {
           {c.words[1], c.integer(c.find("type", at) + 1, "the type of the wall"), model});
       return;
     }
-    const std::size_t meshes = c.find("meshes");
+    const std::size_t meshes = c.find("meshes"), count = c.find("n_meshes");
     if (!c.has(meshes)) c.fail("has neither 'primitive' nor 'meshes': add the kind of the wall");
-    for (std::size_t k = meshes + 1; c.has(k) && mesh_types_.count(c.words[k]); k++)
-      walls_.push_back({c.words[k], mesh_types_[c.words[k]], model});
+    if (!c.has(count)) c.fail("has 'meshes' without 'n_meshes': add 'n_meshes' and their number");
+    const int number = c.integer(count + 1, "the number of meshes");
+    for (int k = 1; k <= number; k++) {
+      const std::string& id = c.word(meshes + static_cast<std::size_t>(k), "the ID of a mesh");
+      const auto type = mesh_types_.find(id);
+      if (type == mesh_types_.end())
+        c.fail("mesh '" + id + "' has no 'fix mesh/surface ... type': define it before the wall");
+      walls_.push_back({id, type->second, model});
+    }
   }
 
   /// The fastest insertion is the speed of impacts.
@@ -211,22 +224,35 @@ class ScriptCase {
     if (square > 0.0) speed_ = std::max(speed_.value_or(0.0), std::sqrt(square));
   }
 
-  /// A distribution behind `at`: constant v; uniform low high; gaussian mu sigma, whose smallest is
-  /// two deviations below the mean. A basis, number or mass, may stand behind its name.
-  static std::pair<double, double> smallest_and_median(const ScriptCommand& c, std::size_t at) {
+  /// Smallest radius, and median by mass, of the distribution behind `at`:
+  ///
+  ///   constant R                    R; R
+  ///   uniform [mass] a b            a; (a + b)/2: equal mass in equal ranges of the radius
+  ///   uniform number a b            a; ((a^4 + b^4)/2)^(1/4)
+  ///   gaussian [number] mu sigma    mu - 3 sigma, where it is cut off; mu + 3 sigma^2/mu, to
+  ///                                 second order of sigma/mu
+  ///
+  /// Source: probability_distribution.h of LIGGGHTS 3 (uniform number) and 3.8 (all others).
+  static std::pair<double, double> radii_of(const ScriptCommand& c, std::size_t at) {
     const std::string& kind = c.word(at, "a distribution");
-    const std::size_t k =
-        at + 1 + (c.has(at + 1) && (c.words[at + 1] == "number" || c.words[at + 1] == "mass"));
-    const double one = c.number(k, "a value of the distribution");
-    if (kind == "constant") return {one, one};
-    const double other = c.number(k + 1, "a value of the distribution");
-    if (kind == "uniform") return {one, 0.5 * (one + other)};
-    if (kind == "gaussian") {
-      if (one > 2.0 * other) return {one - 2.0 * other, one};
-      c.fail("a gaussian this wide has no smallest radius: use a mean above two deviations");
+    const bool by_number = c.has(at + 1) && c.words[at + 1] == "number";
+    const bool by_mass = c.has(at + 1) && c.words[at + 1] == "mass";
+    const std::size_t k = at + (by_number || by_mass ? 2 : 1);
+    if (kind == "constant") {
+      const double radius = c.number(k, "the radius");
+      return {radius, radius};
     }
-    c.fail("the distribution '" + kind +
-           "' is not evaluated: use constant, uniform or gaussian for this check");
+    if ((kind != "uniform" && kind != "gaussian") || (kind == "gaussian" && by_mass))
+      c.fail("the distribution '" + kind + (by_mass ? " mass" : "") +
+             "' is not evaluated: use constant, uniform or gaussian number for this check");
+    const double one = c.number(k, "a value of the distribution");
+    const double other = c.number(k + 1, "a value of the distribution");
+    if (kind == "uniform" && by_number)
+      return {one, std::pow(0.5 * (std::pow(one, 4) + std::pow(other, 4)), 0.25)};
+    if (kind == "uniform") return {one, 0.5 * (one + other)};
+    if (!(one > 3.0 * other))
+      c.fail("LIGGGHTS stops at a gaussian this wide: use a mean above three deviations");
+    return {one - 3.0 * other, one + 3.0 * other * other / one};
   }
 
   void read_template(const ScriptCommand& c) {
@@ -237,8 +263,12 @@ class ScriptCase {
     const std::size_t radius = c.find("radius"), density = c.find("density");
     if (!c.has(radius) || !c.has(density))
       c.fail("a template needs 'radius constant R' and 'density constant RHO': add both");
-    std::tie(t.smallest, t.median) = smallest_and_median(c, radius + 1);
-    t.density = smallest_and_median(c, density + 1).second;
+    std::tie(t.smallest, t.median) = radii_of(c, radius + 1);
+    if (c.word(density + 1, "a distribution") != "constant")
+      c.fail(
+          "a distribution of densities is not evaluated: use 'density constant RHO' for this "
+          "check");
+    t.density = c.number(density + 2, "the density");
     require_size(c, t.smallest, t.density);
     templates_.insert_or_assign(c.words[1], t);
   }
@@ -273,17 +303,22 @@ class ScriptCase {
     }
   }
 
-  /// Of create_atoms; else all that have a Young's modulus, and are no wall's.
-  std::set<int> created_types() const {
-    if (!created_.empty()) return created_;
-    std::set<int> types;
-    const ScriptProperty* modulus = find("youngsModulus");
-    const int count = modulus ? static_cast<int>(modulus->where().words.size()) - 6 : 1;
-    for (int type = 1; type <= count; type++)
-      if (std::none_of(walls_.begin(), walls_.end(),
-                       [type](const WallOfScript& wall) { return wall.type == type; }))
-        types.insert(type);
+  std::set<int> created_types() const { return created_.empty() ? types_of_grains() : created_; }
+
+  /// All types that are no wall's.
+  std::set<int> types_of_grains() const {
+    const std::set<int> of_walls = wall_types();
+    std::set<int> types = created_;
+    for (int type = 1; type <= number_of_types(); type++)
+      if (!of_walls.count(type)) types.insert(type);
     return types.empty() ? std::set<int>{1} : types;
+  }
+  /// Of Young's moduli, or of stiffnesses.
+  int number_of_types() const {
+    if (const ScriptProperty* modulus = find("youngsModulus"))
+      return static_cast<int>(modulus->where().words.size()) - 6;
+    const ScriptProperty* stiffness = find("kn");
+    return stiffness ? stiffness->where().integer(6, "the number of types") : 1;
   }
 
   std::set<int> template_types() const {

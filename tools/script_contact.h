@@ -55,7 +55,7 @@ struct PairOfScript {
   }
 };
 
-/// The contact of a pair as the script has it.
+/// The contact of a pair with the models and properties of the script.
 class ScriptContact {
  public:
   /// Of sjkr and sjkr2.
@@ -69,6 +69,7 @@ class ScriptContact {
         pair_(pair),
         spring_(spring()),
         cohesion_(known_cohesion()) {
+    refuse_other_forces();
     set_cohesion();
   }
 
@@ -99,14 +100,14 @@ class ScriptContact {
     if (jkr_) return jkr_->pull_off_force();
     if (!is_area()) return adhesion_.force;
     if (is_hertz()) return area().pull_off_force();
-    return slope_ > linear().stiffness() ? infinite : 0.0;
+    return slope_ >= linear().stiffness() ? infinite : 0.0;
   }
   double bond_number(double gravity) const {
     return pull_off_force() / (pair_.smaller_mass() * gravity);
   }
   double escape_velocity() const {
     if (jkr_) return jkr_->escape_velocity();
-    if (is_area()) return is_hertz() ? advice::escape_velocity(area()) : pull_off_force();
+    if (is_area()) return is_hertz() ? advice::escape_velocity(area()) : linear_area_escape();
     if (is_hertz()) return advice::escape_velocity(hertz(), adhesion_);
     return adhesion_.force > 0.0 ? contact::AdhesiveContact(linear(), adhesion_).escape_velocity()
                                  : 0.0;
@@ -186,6 +187,14 @@ class ScriptContact {
                       "' is not evaluated: use off, sjkr, sjkr2, hamaker or jkr for this check");
   }
 
+  /// Keywords that change the normal force.
+  void refuse_other_forces() const {
+    for (const char* keyword : {"limitForce", "viscous"})
+      if (model_.has_on(keyword))
+        model_.where.fail(std::string("'") + keyword +
+                          " on' is not evaluated: remove it for this check");
+  }
+
   void set_cohesion() {
     if (!cohesion_.property) return;
     strength_ = of_pair(cohesion_.property);
@@ -197,6 +206,9 @@ class ScriptContact {
       adhesion_ =
           hamaker_adhesion({strength_, script_.need("hamakerSurfaceCutoff", model_).scalar(),
                             script_.need("hamakerOuterCutoff", model_).scalar()});
+    if (model_.cohesion == "jkr" && model_.normal != "hertz")
+      model_.where.fail("'cohesion jkr' needs 'model hertz', not 'model " + model_.normal +
+                        "': write 'model hertz'");
     if (model_.cohesion == "jkr" && strength_ > 0.0) jkr_ = jkr_pair(strength_);
   }
 
@@ -204,6 +216,12 @@ class ScriptContact {
   contact::ContactArea area_kind() const {
     return model_.cohesion == "sjkr2" && pair_.other ? contact::ContactArea::doubled
                                                      : contact::ContactArea::circle;
+  }
+  /// Of a linear spring less an attraction in proportion to the overlap, which is a spring again: 0
+  /// where it oscillates, infinite where the overlap never returns to zero.
+  double linear_area_escape() const {
+    const double c = linear().damping(), net = linear().stiffness() - slope_;
+    return net > 0.0 && c * c < 4.0 * linear().reduced_mass() * net ? 0.0 : infinite;
   }
   const contact::LinearSpringDashpot& linear() const {
     return std::get<contact::LinearSpringDashpot>(spring_);

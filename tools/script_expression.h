@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,7 +13,8 @@
 namespace cohesion::tools {
 
 /// The value of an expression of a script: numbers, PI, v_name, + - * / ^ and parentheses.
-/// Functions and thermo keywords have no value.
+/// Functions and thermo keywords have no value. As in LIGGGHTS, the unary minus binds before ^, and
+/// ^ associates to the left: -2^2 is 4, 2^3^2 is 64.
 class ScriptExpression {
  public:
   using Variables = std::function<std::optional<double>(const std::string&)>;
@@ -48,14 +50,18 @@ class ScriptExpression {
     return left;
   }
   Number power() {
-    if (next_of("-")) {
-      const Number positive = power();
-      return positive ? Number(-*positive) : Number();
+    Number left = unary();
+    while (left && next_of("^")) {
+      const Number exponent = unary();
+      if (!exponent) return {};
+      left = std::pow(*left, *exponent);
     }
-    const Number base = term();
-    if (!base || !next_of("^")) return base;
-    const Number exponent = power();
-    return exponent ? Number(std::pow(*base, *exponent)) : Number();
+    return left;
+  }
+  Number unary() {
+    if (!next_of("-")) return term();
+    const Number positive = unary();
+    return positive ? Number(-*positive) : Number();
   }
   Number term() {
     if (next_of("(")) {

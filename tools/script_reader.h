@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -70,23 +74,35 @@ struct ScriptCommand {
 /// quotes, and variables of the styles index, string, loop and equal.
 class ScriptReader {
  public:
-  /// given: values of variables, which the script does not change.
-  explicit ScriptReader(const std::map<std::string, std::string>& given)
-      : values_(given), fixed_(given) {}
+  /// given: values of variables, which the script does not change unless it deletes them.
+  explicit ScriptReader(const std::map<std::string, std::string>& given) {
+    for (const auto& [name, text] : given) {
+      values_[name] = {false, text};
+      fixed_.insert(name);
+    }
+  }
 
   /// Throws std::runtime_error when a file cannot be read.
   const std::vector<ScriptCommand>& read(const std::string& file) {
     read_file(file, "the script");
     return commands_;
   }
+  /// The script and the files that it includes.
+  const std::vector<std::string>& files() const { return files_; }
 
  private:
-  static constexpr int deepest_include = 20;
+  static constexpr int deepest_include = 20, deepest_expression = 20;
+
+  struct Variable {
+    bool is_expression;
+    std::string text;
+  };
 
   void read_file(const std::string& file, const std::string& what) {
     std::ifstream stream(file);
     if (!stream)
       throw std::runtime_error(what + " '" + file + "' cannot be read: check its name and folder");
+    files_.push_back(file);
     std::string text, whole;
     int line = 0, first = 0;
     while (std::getline(stream, text)) {
@@ -153,28 +169,42 @@ class ScriptReader {
   }
 
   void set_variable(const ScriptCommand& command) {
-    if (command.words.size() < 4) return;
+    if (command.words.size() < 3) return;
     const std::string &name = command.words[1], &style = command.words[2];
+    if (style == "delete") fixed_.erase(name);
     if (fixed_.count(name)) return;
-    if (style == "equal") {
-      std::string expression;
-      for (std::size_t k = 3; k < command.words.size(); k++) expression += command.words[k] + ' ';
-      const auto value =
-          ScriptExpression(expression, [this](const std::string& other) {
-            const auto found = values_.find(other);
-            return found == values_.end() ? std::nullopt : ScriptCommand::number_of(found->second);
-          }).value();
-      values_.erase(name);
-      if (value) values_[name] = digits_of(*value);
-    } else if (style == "index") {
-      values_.emplace(name, command.words[3]);
-    } else if (style == "string") {
-      values_[name] = command.words[3];
-    } else if (style == "loop") {
-      values_.emplace(name, command.words.size() > 4 ? command.words[3] : "1");
+    if (style == "index" || style == "loop") {
+      if (command.has(3)) values_.emplace(name, Variable{false, first_of(command)});
+    } else if ((style == "equal" || style == "string") && command.has(3)) {
+      std::string text = command.words[3];
+      for (std::size_t k = 4; k < command.words.size(); k++) text += ' ' + command.words[k];
+      values_[name] = {style == "equal", text};
     } else {
       values_.erase(name);
     }
+  }
+  /// First value of an index or a loop: N, N pad, N1 N2, N1 N2 pad. pad: leading zeros to the width
+  /// of the last value.
+  static std::string first_of(const ScriptCommand& command) {
+    if (command.words[2] == "index") return command.words[3];
+    const bool is_padded = command.words.back() == "pad";
+    const std::size_t numbers = command.words.size() - 3 - (is_padded ? 1 : 0);
+    const std::string first = numbers > 1 ? command.words[3] : "1";
+    const std::string& last = command.words[numbers > 1 ? 4 : 3];
+    const std::size_t width = is_padded ? last.size() : 0;
+    return std::string(width > first.size() ? width - first.size() : 0, '0') + first;
+  }
+
+  /// An expression is evaluated with the values at its use. Empty: not known.
+  std::optional<std::string> value_of(const std::string& name, int depth = 0) const {
+    const auto found = values_.find(name);
+    if (found == values_.end() || depth > deepest_expression) return {};
+    if (!found->second.is_expression) return found->second.text;
+    const auto value = ScriptExpression(found->second.text, [&](const std::string& other) {
+                         const auto text = value_of(other, depth + 1);
+                         return text ? ScriptCommand::number_of(*text) : std::nullopt;
+                       }).value();
+    return value ? std::optional(digits_of(*value)) : std::nullopt;
   }
 
   static std::string digits_of(double value) {
@@ -194,15 +224,16 @@ class ScriptReader {
       }
       const std::string name = ScriptCommand::variable_name(text, k);
       const std::size_t length = text[k + 1] == '{' ? name.size() + 3 : 2;
-      const auto value = values_.find(name);
-      result += value == values_.end() ? text.substr(k, length) : value->second;
+      result += value_of(name).value_or(text.substr(k, length));
       k += length - 1;
     }
     return result;
   }
 
-  std::map<std::string, std::string> values_, fixed_;
+  std::map<std::string, Variable> values_;
+  std::set<std::string> fixed_;
   std::vector<ScriptCommand> commands_;
+  std::vector<std::string> files_;
   int depth_ = 0;
 };
 

@@ -12,8 +12,9 @@ namespace cohesion::tools {
 /// The conditions under which contacts are evaluated, in the units of the script.
 struct ContactConditions {
   double speed, gravity;
-  double step;            ///< 0: the script has none
-  bool is_speed_assumed;  ///< neither script nor command line has one
+  double step;              ///< 0: the script has none
+  bool is_speed_assumed;    ///< neither script nor command line has one
+  bool is_gravity_assumed;  ///< the script has none
 };
 
 /// Grains of two types, or of a type at a wall: the smallest of both, and the median of both.
@@ -31,8 +32,9 @@ class ScriptReport {
     if (csv_)
       std::puts("contact,name,smallest,median,unit");
     else
-      std::printf("Impacts at %.4g [length/time]; gravity %.4g [length/time^2]\n", conditions.speed,
-                  conditions.gravity);
+      std::printf("Impacts at %.4g [length/time]%s; gravity %.4g [length/time^2]%s\n",
+                  conditions.speed, conditions.is_speed_assumed ? " (assumed)" : "",
+                  conditions.gravity, conditions.is_gravity_assumed ? " (assumed)" : "");
   }
 
   void operator()(const ContactPairOfTypes& pair) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
-#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "advice/integrated_escape.h"
@@ -29,8 +32,8 @@ struct Translation {
   }
 };
 
-/// The strength of the law of `t` that keeps what is asked of this contact: Hamaker constant, or
-/// surface energy. Throws std::runtime_error where sjkr is not in Hertz's contact.
+/// The strength of the law of `t` that gives the same pull-off force or escape velocity: Hamaker
+/// constant, or surface energy. Throws std::runtime_error where sjkr is not in Hertz's contact.
 inline double translated_strength(const ScriptContact& c, const Translation& t) {
   if (!c.is_hertz() || (t.law == "jkr" && c.model().normal != "hertz"))
     c.model().where.fail("'model " + c.model().normal + "' with cohesion " + c.model().cohesion +
@@ -70,7 +73,9 @@ class TranslatedScript {
 
   /// Walls behind pairs: a wall of a grain's type has the strength of the pair.
   void add(const ContactPairOfTypes& contact) {
+    evaluated_.insert({std::min(contact.i, contact.j), std::max(contact.i, contact.j)});
     if (!contact.median.is_area()) return;
+    warn_of_friction(*contact.model);
     models_.push_back(contact.model);
     const bool is_new = !strengths_.count({contact.i, contact.j});
     const double strength = translated_strength(contact.median, translation_);
@@ -92,49 +97,82 @@ class TranslatedScript {
   void write(const std::string& target) const {
     if (models_.empty())
       throw std::runtime_error(file_ + ": has no cohesion sjkr or sjkr2 to translate");
-    std::vector<std::string> lines = lines_of(file_);
+    Lines lines = lines_of(file_);
     const ScriptCommand& density =
         script_.need(ScriptContact::area_property, *models_.front()).where();
+    require_sizes();
     std::set<int> changed;
     for (const GranularModel* model : models_)
       if (changed.insert(model->where.line).second)
         replace(lines, model->where, with_law(model->where, joined(lines, model->where)));
     replace(lines, density, properties(density));
     std::ofstream stream(target);
-    for (const std::string& line : lines)
-      if (line != removed) stream << line << '\n';
+    for (const std::optional<std::string>& line : lines)
+      if (line) stream << *line << '\n';
     if (!stream.flush())
       throw std::runtime_error("'" + target + "' cannot be written: check its folder");
   }
 
  private:
-  inline static const std::string removed = "\r";
+  using Lines = std::vector<std::optional<std::string>>;  // empty: removed
+
+  /// Once for each line.
+  void warn_of_friction(const GranularModel& model) {
+    const auto is_same = [&](const GranularModel* other) {
+      return other->where.place() == model.where.place();
+    };
+    if (!model.has_on("tangential_reduce") || std::any_of(models_.begin(), models_.end(), is_same))
+      return;
+    warnings_.push_back(model.where.place() + ": 'tangential_reduce on' is removed, and cohesion " +
+                        translation_.law +
+                        " does not reduce friction: check the friction "
+                        "coefficients");
+  }
 
   const char* property() const {
     return translation_.law == "jkr" ? "surfaceEnergy" : "hamakerConstant";
   }
 
-  static std::vector<std::string> lines_of(const std::string& file) {
-    std::vector<std::string> lines;
+  /// Throws std::runtime_error where a pair with an energy density was not evaluated.
+  void require_sizes() const {
+    const ScriptProperty& densities = script_.need(ScriptContact::area_property, *models_.front());
+    const int types = densities.where().integer(6, "the number of types");
+    for (int i = 1; i <= types; i++)
+      for (int j = i; j <= types; j++) {
+        if (evaluated_.count({i, j}) || has_size(i, j) || densities.of_pair(i, j) == 0.0) continue;
+        densities.where().fail("types " + std::to_string(i) + " and " + std::to_string(j) +
+                               " have an energy density but no known size: specify a template, or "
+                               "--diameter and --density");
+      }
+  }
+  /// Both types are those of walls or of grains of known size.
+  bool has_size(int i, int j) const {
+    const auto is_known = [this](int type) {
+      return script_.grains().count(type) || script_.wall_types().count(type);
+    };
+    return is_known(i) && is_known(j);
+  }
+
+  static Lines lines_of(const std::string& file) {
+    Lines lines;
     std::ifstream stream(file);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    for (std::string line; std::getline(stream, line);) lines.emplace_back(line);
     return lines;
   }
 
   /// The lines of a command, as they are written.
-  std::string joined(const std::vector<std::string>& lines, const ScriptCommand& c) const {
+  std::string joined(const Lines& lines, const ScriptCommand& c) const {
     if (c.file != file_)
       c.fail("this line is in an included file, which is not translated: move it into '" + file_ +
              "'");
     std::string all;
     for (int k = c.line; k <= c.last_line; k++)
-      all += (k > c.line ? "\n" : "") + lines[static_cast<std::size_t>(k) - 1];
+      all += (k > c.line ? "\n" : "") + lines[static_cast<std::size_t>(k) - 1].value_or("");
     return all;
   }
-  void replace(std::vector<std::string>& lines, const ScriptCommand& c,
-               const std::string& text) const {
+  void replace(Lines& lines, const ScriptCommand& c, const std::string& text) const {
     joined(lines, c);
-    for (int k = c.line; k <= c.last_line; k++) lines[static_cast<std::size_t>(k) - 1] = removed;
+    for (int k = c.line; k <= c.last_line; k++) lines[static_cast<std::size_t>(k) - 1].reset();
     lines[static_cast<std::size_t>(c.line) - 1] = text;
   }
 
@@ -175,6 +213,7 @@ class TranslatedScript {
   const ScriptCase& script_;
   Translation translation_;
   std::vector<const GranularModel*> models_;
+  std::set<std::pair<int, int>> evaluated_;  // the lower type first
   std::map<std::pair<int, int>, double> strengths_;
   std::vector<std::string> warnings_;
 };

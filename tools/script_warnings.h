@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@
 
 namespace cohesion::tools {
 
-/// Finds properties of a script that hold another quantity or unit, and contacts that do not do
-/// what they are named for. Each warning has place, finding and remedy.
+/// Finds properties of a script that hold another quantity or unit, and contacts without the effect
+/// of their cohesion model. Each warning has place, finding and remedy.
 class ScriptWarnings {
  public:
   ScriptWarnings(const ScriptCase& script, const ContactConditions& conditions)
@@ -60,13 +61,21 @@ class ScriptWarnings {
                         : advice::exact_scheme_one_pass.steps_for_warning;
   }
 
-  /// Bond number below which gravity separates any contact.
+  /// Bond number below which the pull-off force is reported as negligible. Below 1 a contact does
+  /// not carry the weight of the smallest grain; the factor of ten excludes doubtful cases.
   static constexpr double negligible_bond_number = 0.1;
-  /// Energy densities below this are those of no bulk contact, [J/m^3].
+  /// Energy density [J/m^3] below which a number is reported as a possible surface energy [J/m^2]:
+  /// two orders above the largest of these, advice::largest_surface_energy.
   static constexpr double least_energy_density = 1e3;
-  /// Young's moduli below this are those of no solid, [Pa].
+  /// Young's modulus [Pa] below which a number is reported as one of another unit: one order above
+  /// the modulus of the stiffest solid, diamond, in GPa.
   static constexpr double least_modulus = 1e4;
-  static constexpr double largest_radius = 0.1;  // [m]
+  /// Median radius [m] from which a number is reported as one of another unit: larger than grains
+  /// of any powder, and that of grains of 0.1 mm written in mm.
+  static constexpr double largest_radius = 0.1;
+  /// Overlap over R* above which results for small overlaps are reported as inaccurate. There the
+  /// area of contact of sjkr is below 2 pi R* x by 1.25 % (equal spheres) and 5 % (wall).
+  static constexpr double largest_linear_overlap = 0.1;
 
   void check_grains(int type, const Grains& grains) {
     const advice::SiUnits* units = script_.units();
@@ -155,17 +164,7 @@ class ScriptWarnings {
     const ScriptContact& c = pair.smallest;
     const double bond = c.bond_number(conditions_.gravity);
     const std::string cohesion = pair.title + ": cohesion " + pair.model->cohesion;
-    if (c.is_area() && !c.is_hertz()) {
-      if (bond == 0.0)
-        add(pair.model->where, cohesion + " has no pull-off force with model " +
-                                   pair.model->normal +
-                                   ", whose spring exceeds it at every overlap: use model hertz, "
-                                   "or 'cohesion hamaker'");
-      else
-        add(place(pair), cohesion + " exceeds the spring at every overlap and spheres collapse: " +
-                             "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
-      return;
-    }
+    if (c.is_area() && !c.is_hertz()) return check_linear_spring(pair, cohesion);
     if (c.overlap_at_pull_off() > largest_linear_overlap)
       add(place(pair), cohesion + " is strongest at an overlap of " +
                            digits(c.overlap_at_pull_off()) +
@@ -181,7 +180,22 @@ class ScriptWarnings {
               digits(1.0 / bond) + " for a Bond number of 1";
     add(place(pair), text);
   }
-  static constexpr double largest_linear_overlap = 0.1;  // of R*
+  /// An attraction by area and a linear spring.
+  void check_linear_spring(const ContactPairOfTypes& pair, const std::string& cohesion) {
+    const ScriptContact& c = pair.smallest;
+    if (c.pull_off_force() > 0.0)
+      add(place(pair), cohesion + " exceeds the spring at every overlap and spheres collapse: " +
+                           "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
+    else if (c.escape_velocity() > 0.0)
+      add(place(pair), cohesion +
+                           " reduces the spring until the dashpot damps it critically, and " +
+                           "contacts never separate: decrease cohesionEnergyDensity, or use " +
+                           "'cohesion hamaker'");
+    else
+      add(pair.model->where, cohesion + " has no pull-off force with model " + pair.model->normal +
+                                 ", whose spring exceeds it at every overlap: use model hertz, "
+                                 "or 'cohesion hamaker'");
+  }
 
   std::string area_remedy(const ScriptContact& c) const {
     const advice::SiUnits* units = script_.units();
@@ -194,7 +208,7 @@ class ScriptWarnings {
               "package has the property surfaceEnergy";
     return text + ": use cohesionEnergyDensity " +
            digits(c.energy_density_of(1.0, conditions_.gravity)) +
-           " for a Bond number of 1 (it grows with the third power)";
+           " for a Bond number of 1 (the Bond number grows with its third power)";
   }
 
   /// Of the strength.

@@ -27,7 +27,7 @@ inline constexpr double area_factor(ContactArea area) {
 }
 
 /// Slope b [force/length] of the attraction F = b x of an energy density k [energy/length^3]; R*
-/// [length], R beside a wall. Throws InvalidParameter where k < 0.
+/// [length], R at a wall. Throws InvalidParameter where k < 0.
 inline double attraction_slope(double energy_density, ContactArea area, double reduced_radius) {
   require_non_negative("cohesion energy density k", energy_density);
   return area_factor(area) * pi * reduced_radius * energy_density;
@@ -59,7 +59,7 @@ class HertzWithAreaAttraction {
   double pull_off_force() const { return slope_ * overlap_at_pull_off() / 3.0; }
   /// The overlap at which a pair rests, (b/c)^2 [length].
   double resting_overlap() const { return 2.25 * overlap_at_pull_off(); }
-  /// What parts a pair at rest, b x^2/10 at that overlap, [energy].
+  /// Energy that separates a pair at rest, b x^2/10 at that overlap, [energy].
   double well_energy() const { return 0.1 * slope_ * resting_overlap() * resting_overlap(); }
 
   const HertzSpringDashpot& hertz() const { return hertz_; }

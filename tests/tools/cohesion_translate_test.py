@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """cohesion-translate: numbers of contacts against formulas written out again, warnings, and errors with their line."""
 import csv
+import itertools
 import math
 import re
 import tempfile
 import unittest
 from pathlib import Path
+from statistics import NormalDist
 
 from cohesion_tests import SOURCE
 from cohesion_tests.csv_program import CsvProgram
@@ -113,9 +115,31 @@ fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
         found, _ = self.contacts(script)
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
         self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, 1.5e-3 / 2))
+        # 2e-3 less three deviations.
+        narrow, _ = self.contacts(self.changed(("constant ${R}", "gaussian number 2e-3 5e-4")))
+        self.near(narrow["1-1"]["pull_off"][0], sjkr_force(2e5, 5e-4 / 2))
         by_number = script.replace("discrete 1 3", "discrete/numberbased 1 3")
-        # p3, the heaviest, has 0.2 * 1000 * 3^3 = 5400 of 0.3 * 2500/8 + 0.5 * 2500 * 1.5^3 + 5400 = 9712
-        self.near(self.contacts(by_number)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, 1.5e-3))
+        # p3, the heaviest, has 0.2 * 1000 * 3.25^3 = 6866 of 0.3 * 2500/8 + 0.5 * 2500 * 1.5^3 + 6866 = 11178;
+        # its median is 3e-3 + 3 * 25e-8/3e-3.
+        self.near(self.contacts(by_number)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, 3.25e-3 / 2))
+
+    def test_medians_by_mass_are_those_of_samples(self):
+        """Numbers of quantiles, each weighted with its mass; gaussian: cut off at three deviations."""
+        count = 20001
+        quantiles = [(k + 0.5) / count for k in range(count)]
+        normal = NormalDist(3e-3, 4e-4)
+        low, high = normal.cdf(1.8e-3), normal.cdf(4.2e-3)
+        for words, radii, within in (
+                ("uniform number 1e-3 2e-3", [1e-3 * (1 + q) for q in quantiles], 1e-3),
+                ("uniform mass 1e-3 2e-3", [1e-3 / math.sqrt(1 - 0.75 * q) for q in quantiles], 1e-3),
+                ("uniform 1e-3 2e-3", [1e-3 / math.sqrt(1 - 0.75 * q) for q in quantiles], 1e-3),
+                ("gaussian 3e-3 4e-4", [normal.inv_cdf(low + q * (high - low)) for q in quantiles], 0.01),
+                ("gaussian number 3e-3 4e-4", [normal.inv_cdf(low + q * (high - low)) for q in quantiles], 0.01)):
+            half = sum(r**3 for r in radii) / 2
+            median = next(r for r, mass in zip(radii, itertools.accumulate(r**3 for r in radii)) if mass >= half)
+            found, _ = self.contacts(self.changed(("constant ${R}", words)))
+            self.near(found["1-1"]["pull_off"][1], sjkr_force(2e5, median / 2), 2 * within)
+            self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, round(min(radii), 5) / 2))
 
     def test_speed_of_the_script(self):
         insertion = "fix i all insert/pack seed 1 distributiontemplate d vel constant 0 3 -4 region r\n"
@@ -143,11 +167,23 @@ fix d all particledistribution/discrete 1 3 p1 0.3 p2 0.5 p3 0.2
         found, error = self.contacts(stiff)
         self.near(found["1-1"]["contact_time"][0], math.pi * math.sqrt(MASS / 2 / 500))
         self.assertEqual(found["1-1"]["pull_off"][0], 0)
+        self.assertEqual(found["1-1"]["escape_velocity"][0], 0)
         self.assertIn("no pull-off force with model hooke/stiffness", error)
         # 2 pi R* k = 314 N/m is above the spring
         found, error = self.contacts(stiff.replace("2 500", "2 300"))
         self.assertEqual(found["1-1"]["pull_off"][0], math.inf)
+        self.assertEqual(found["1-1"]["escape_velocity"][0], math.inf)
         self.assertIn("spheres collapse", error)
+        # The net spring 500 - 100 pi N/m is critically damped at gamman = 2 sqrt(net/m), m = MASS/2.
+        critical = 2 * math.sqrt((500 - 100 * math.pi) / (MASS / 2))
+        for gamman, escape, warning in ((0.99 * critical, 0, "no pull-off force"),
+                                        (1.01 * critical, math.inf, "contacts never separate")):
+            found, error = self.contacts(stiff.replace("gamman peratomtypepair 2 10",
+                                                       f"gamman peratomtypepair 2 {gamman!r}"))
+            self.assertEqual(found["1-1"]["pull_off"][0], 0)
+            self.assertEqual(found["1-1"]["escape_velocity"][0], escape)
+            self.assertIn(f"in.case:{7 if escape else 9}: types 1 and 1: cohesion sjkr", error)
+            self.assertIn(warning, error)
         found, _ = self.contacts(self.changed(("model hertz", "model hooke"))
                                  + "fix v all property/global characteristicVelocity scalar 2\n")
         stiffness = 16 / 15 * math.sqrt(RADIUS / 2) * MODULUS * (
@@ -203,6 +239,34 @@ class Script(Translated):
                                "variable a equal 2^3*-1+9.5-(3-2)/2*2\nvariable R equal v_a*1e-3"))
         found, _ = self.contacts(script)  # 0.5
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS / 2))
+
+    def test_signs_and_powers_are_those_of_the_engine(self):
+        """LIGGGHTS prints 4 for -2^2, 64 for 2^3^2 and 0.25 for 2^-2."""
+        for expression, value in (("-2^2", 4), ("2^3^2", 64), ("2^-2", 0.25), ("8-2^2", 4)):
+            script = self.changed(("variable R index 5e-4",
+                                   f"variable a equal {expression}\nvariable R equal v_a*1e-4"))
+            found, _ = self.contacts(script)
+            self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, value * 1e-4 / 2))
+
+    def test_variables_that_change(self):
+        for lines, expected in (
+                # An expression is evaluated where it is used.
+                ("variable D string 1e-3\nvariable R equal v_D/2\nvariable D string 2e-3", 1e-3),
+                ("variable R index 3e-3\nvariable R delete\nvariable R index 5e-4", 5e-4),
+                ("variable n loop 12 pad\nvariable R string ${n}e-3", 1e-3),
+                ("variable n loop 2 12\nvariable R string ${n}e-3", 2e-3)):
+            found, _ = self.contacts(self.changed(("variable R index 5e-4", lines)))
+            self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, expected / 2))
+        code, _, error = self.call(self.changed(("variable R index 5e-4", "variable R index 5e-4\nvariable R delete")))
+        self.assertNotEqual(code, 0)
+        self.assertIn("in.case:12: the value of the variable 'R'", error)
+        circle = self.changed(("variable R index 5e-4", "variable R equal v_S\nvariable S equal v_R"))
+        code, _, error = self.call(circle)
+        self.assertNotEqual(code, 0)
+        self.assertIn("the value of the variable 'R'", error)
+        # Leading zeros to the width of the last value.
+        (self.folder / "part01").write_text("units si\n")
+        self.contacts(self.changed(("units si", "variable n loop 12 pad\ninclude part${n}")))
 
     def test_sizes_of_set_and_of_the_command_line(self):
         template = next(line for line in SCRIPT.splitlines() if "particletemplate" in line)
@@ -297,14 +361,63 @@ class Written(Translated):
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
 
+    def test_blank_lines_of_a_script_with_carriage_returns_stay(self):
+        script = self.changed(("units si\n", "units si\n\n\n"))
+        (self.folder / "in.case").write_bytes(script.replace("\n", "\r\n").encode())
+        target = self.folder / "out.case"
+        code, _, error = program.call(self.folder / "in.case", "--write", "equal-force", target)
+        self.assertEqual(code, 0, error)
+        self.assertIn(b"units si\r\n\r\n\r\nvariable R", target.read_bytes())
+
+    def test_friction_of_the_attraction(self):
+        script = self.changed(("cohesion sjkr  #", "cohesion sjkr tangential_reduce on #"))
+        text, error = self.written(script, "--write", "equal-force")
+        self.assertNotIn("tangential_reduce", text)
+        self.assertEqual(error.count("in.case:9: 'tangential_reduce on' is removed"), 1)
+        _, error = self.written(script.replace("reduce on", "reduce off"), "--write", "equal-force")
+        self.assertNotIn("tangential_reduce", error)
+
     def test_default_cutoffs_are_in_the_units_of_the_script(self):
         text, _ = self.written(self.changed(("units si", "units cgs")), "--write", "equal-force")
         self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
 
     def test_wall_of_the_type_of_grains(self):
-        text, error = self.written(self.changed(("primitive type 2", "primitive type 1")), "--write", "equal-force")
+        script = self.changed(("primitive type 2", "primitive type 1"), ("2 2e5 1e5", "2 2e5 0"),
+                              ("    1e5 0", "    0 0"))
+        text, error = self.written(script, "--write", "equal-force")
         self.assertIn("peratomtypepair 2 3.5939204e-19 0 0 0\n", text)
         self.assertIn("assign the wall an atom type of its own", error)
+
+    def test_types_without_a_size(self):
+        """Type 2 of the pairs comes from a file that the program does not read; type 3 is that of the plate."""
+        script = self.changed(
+            ("peratomtype 2e7 2e7", "peratomtype 2e7 2e7 2e7"), ("0.22 0.22", "0.22 0.22 0.22"),
+            ("peratomtypepair 2 0.9 0.9 0.9 0.9", "peratomtypepair 3" + 9 * " 0.9"),
+            ("primitive type 2", "primitive type 3"),
+            ("2 2e5 1e5 &", "3 2e5 1e5 1e5 1e5 &"), ("    1e5 0", "    1e5 1e5 1e5 1e5 1e5"))
+        target = self.folder / "out.case"
+        code, output, error = self.call(script, "--write", "equal-force", target)
+        self.assertNotEqual(code, 0, output)
+        self.assertIn("in.case:7: types 1 and 2 have an energy density but no known size: specify a template, "
+                      "or --diameter and --density", error)
+        self.assertFalse(target.exists())
+        text, _ = self.written(script, "--write", "equal-force", "--diameter", 1e-3, "--density", 2500)
+        found, _ = self.contacts(text, "--diameter", 1e-3, "--density", 2500)
+        for name in ("1-2", "2-2"):
+            self.near(found[name]["pull_off"][1], sjkr_force(1e5, RADIUS / 2))
+
+    def test_files_of_the_script_are_not_replaced(self):
+        (self.folder / "part").write_text("units si\n")
+        script = self.changed(("units si", "include part"))
+        for name, target in (("link", "in.case"), ("link_of_part", "part")):
+            (self.folder / name).symlink_to(self.folder / target)
+        for target, what in (("./in.case", "the script:"), ("link", "the script:"), ("part", "the included file '"),
+                             ("./part", "the included file '"), ("link_of_part", "the included file '")):
+            code, output, error = self.call(script, "--write", "equal-force", f"{self.folder}/{target}")
+            self.assertNotEqual(code, 0, output)
+            self.assertIn(f"--write would replace {what}", error)
+            self.assertEqual((self.folder / "in.case").read_text(), script)
+            self.assertEqual((self.folder / "part").read_text(), "units si\n")
 
     def test_refusals(self):
         for script, words, parts in (
@@ -312,7 +425,7 @@ class Written(Translated):
                 (SCRIPT, ("equal-force", self.folder / "in.case"), ("would replace the script",)),
                 (SCRIPT, ("equal-force", "/nowhere/out"), ("'/nowhere/out' cannot be written",)),
                 (SCRIPT.replace("cohesion sjkr", ""), ("equal-force", "out"), ("no cohesion sjkr",)),
-                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("units si", "variable c index sjkr")),
+                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("# own case", "variable c index sjkr")),
                  ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
                 (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
                 (self.changed(("model hertz", "model hooke"))
@@ -322,6 +435,37 @@ class Written(Translated):
             self.assertNotEqual(code, 0, output)
             for part in parts:
                 self.assertIn(part, error)
+
+
+class Units(Translated):
+    def refused(self, script, text, *words):
+        code, output, error = self.call(script, *words)
+        self.assertNotEqual(code, 0, output)
+        self.assertIn(text, error)
+
+    def test_units_without_metres_have_no_defaults(self):
+        gravity = next(line for line in SCRIPT.splitlines() if "fix gravity" in line)
+        for units in ("units lj", ""):
+            script = self.changed(("units si", units))
+            speed, target = ("--speed", 1), self.folder / "out.case"
+            self.refused(script, "units lj have no speed in metres per second: specify --speed")
+            self.refused(script.replace(gravity, ""), "units lj have no acceleration", *speed)
+            self.refused(script, "units lj have no length in metres: specify --cutoff",
+                         *speed, "--write", "equal-force", target)
+            self.assertFalse(target.exists())
+            for words in (("--cutoff", 4e-10, 1e-7), ("--law", "jkr")):
+                code, _, error = self.call(script, *speed, "--write", "equal-force", target, *words)
+                self.assertEqual(code, 0, error)
+                target.unlink()
+
+    def test_assumed_conditions_are_marked(self):
+        script = "\n".join(line for line in SCRIPT.splitlines() if "fix gravity" not in line)
+        for text, words, line in (
+                (script, (), "Impacts at 1 [length/time] (assumed); gravity 9.81 [length/time^2] (assumed)"),
+                (SCRIPT, ("--speed", 2), "Impacts at 2 [length/time]; gravity 9.81 [length/time^2]")):
+            code, output, error = self.call(text, *words)
+            self.assertEqual(code, 0, error)
+            self.assertEqual(output.splitlines()[0], line)
 
 
 class Errors(Translated):
@@ -336,17 +480,35 @@ class Errors(Translated):
                      "in.case:10: 'cohesion easo/capillary/viscous' is not evaluated", "sjkr2")
         self.refused(self.changed(("model hertz tangential history cohesion sjkr  #", "model luding #")),
                      "in.case:9: 'model luding' is not evaluated")
+        for keyword in ("limitForce", "viscous"):
+            self.refused(self.changed(("cohesion sjkr  #", f"cohesion sjkr {keyword} on #")),
+                         f"in.case:9: '{keyword} on' is not evaluated: remove it for this check")
+        self.contacts(self.changed(("cohesion sjkr  #", "cohesion sjkr limitForce off #")))
+        self.refused(self.changed(("model hertz tangential history cohesion sjkr  #", "model hooke cohesion jkr #"),
+                                  ("cohesionEnergyDensity", "surfaceEnergy"))
+                     + "fix v all property/global characteristicVelocity scalar 2\n",
+                     "in.case:9: 'cohesion jkr' needs 'model hertz', not 'model hooke'")
         self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")),
                      "in.case:9", "LIGGGHTS 3")
         self.refused(self.changed(("youngsModulus", "youngModulus")), "youngsModulus", "add this line")
         self.refused(self.changed(("variable R index", "#")),
                      "in.case:11: the value of the variable 'R'", "--var R VALUE")
         self.refused(self.changed(("constant ${R}", "constant 1mm")), "in.case:11: '1mm' is no number")
-        self.refused(self.changed(("constant ${R}", "lognormal 1 2")), "in.case:11", "uniform or gaussian")
+        self.refused(self.changed(("constant ${R}", "lognormal 1 2")), "in.case:11", "uniform or gaussian number")
+        self.refused(self.changed(("constant ${R}", "gaussian mass 1e-3 1e-4")), "in.case:11", "'gaussian mass'")
+        self.refused(self.changed(("constant ${R}", "gaussian 1e-3 4e-4")), "in.case:11", "above three deviations")
+        self.refused(self.changed(("density constant 2500", "density uniform 2000 3000")), "in.case:11", "constant RHO")
         self.refused(self.changed(("    1e5 0", "    2e5 0")), "in.case:7", "symmetric")
         self.refused(self.changed(("peratomtype 2e7 2e7", "peratomtype 2e7")), "in.case:4", "youngsModulus of type 2")
         self.refused(self.changed(("0.22 0.22", "0.22 0.7")), "Poisson's ratio", "0.7")
         self.refused(self.changed(("primitive type", "kind")), "in.case:10", "primitive")
+        wall = "primitive type 2 zplane 0"
+        self.refused(self.changed((wall, "mesh n_meshes 1 meshes cad")),
+                     "in.case:10: mesh 'cad' has no 'fix mesh/surface ... type': define it before the wall")
+        self.refused(self.changed((wall, "mesh n_meshes 2 meshes cad"),
+                                  ("units si", "fix cad all mesh/surface file x type 2")),
+                     "in.case:10", "ends before the ID of a mesh")
+        self.refused(self.changed((wall, "mesh meshes cad")), "in.case:10", "add 'n_meshes'")
         self.refused("units si\n", "neither 'pair_style gran' nor")
         self.refused(self.changed(("fix p1", "#")), "specify --diameter and --density")
         self.refused("include nowhere\n", "in.case:1: the file 'nowhere' cannot be read")

@@ -2,6 +2,7 @@
 #include "contact/area_attraction.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "advice/integrated_escape.h"
 #include "refuses.h"
@@ -93,8 +94,8 @@ TEST(AreaAttraction, EscapeVelocityIsThatOfAnIntegration) {
     const HertzWithAreaAttraction law = contact_of(1e5, restitution);
     const double slope = attraction_slope(1e5, ContactArea::circle, radius);
     const double speed = advice::escape_velocity(law);
-    EXPECT_EQ(parts_at(slope, law.hertz(), 0.98 * speed), 0.0);
-    EXPECT_GT(parts_at(slope, law.hertz(), 1.02 * speed), 0.0);
+    EXPECT_EQ(parts_at(slope, law.hertz(), 0.999 * speed), 0.0);
+    EXPECT_GT(parts_at(slope, law.hertz(), 1.001 * speed), 0.0);
   }
 }
 
