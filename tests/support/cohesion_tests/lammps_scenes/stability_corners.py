@@ -24,7 +24,7 @@ OTHER = f"""
 
 Cells have the outcome and the error of a case. Random points are listed where incorrect, those of *sampled* laws only
 without a warning for their contact. The last column states whether the run warned of this contact (yes), only of
-contacts that do not occur (of others), or not (no). `--law NAME --point K` prints random point K.
+contacts that do not occur (of others), or not (no).
 """
 WARNED = {"warned": "yes", "elsewhere": "of others", "silent": "no"}
 STOPPED = """
