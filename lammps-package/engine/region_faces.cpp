@@ -17,6 +17,7 @@
 using namespace LAMMPS_NS;
 using cohesion::norm;
 using cohesion::Vector3;
+using cohesion::contact_solver::turning_of;
 
 static constexpr double INFINITE = std::numeric_limits<double>::infinity();
 /// LAMMPS uses 1e20 for INF: larger extents than this are infinite, [length].
@@ -288,9 +289,7 @@ RegionFaces::RelativeWallMotion RegionFaces::relative_motion(const Vector3& cent
   if (last_step == 0.0) return motion;
   const Vector3 normal = normal_of(point.separation, point.distance);
   const Vector3 turned = normal - normal_before(centre, velocity, point, now, last_step);
-  const Vector3 turning = (dot(velocity - now.velocity, turned) / last_step) * normal;
-  motion.relative.velocity += (0.5 * last_step) * turning;
-  motion.acceleration -= turning;
+  motion.add(turning_of(normal, turned, velocity - now.velocity, last_step), last_step);
   return motion;
 }
 

@@ -52,8 +52,8 @@ class RegionFaces {
   bool is_far(const cohesion::Vector3& centre, const WallState& now, double reach) const;
 
   /// The motion of the wall at `point` relative to a particle, as Wall::relative_motion(). The
-  /// distance d from a curved face changes by d'' = v . dn/dt, with the normal n at the particle in
-  /// this and in the last step.
+  /// The motion of the wall at `point` relative to a particle, as Wall::relative_motion(), with the
+  /// turn of the normal from the last step to this one.
   RelativeWallMotion relative_motion(const cohesion::Vector3& centre,
                                      const cohesion::Vector3& velocity, const WallPoint& point,
                                      const WallState& now, double last_step) const;

@@ -100,24 +100,17 @@ void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, 
 
 /* ---------------------------------------------------------------------- */
 
-// Numbers of a restart file: its layout, walls, numbers of history each, the course of the walls,
-// and the force on them, which a run that continues another does not compute again.
-static constexpr int LAYOUT = 3, COURSE = 3;
-// With regions, their number, that of all faces and the fingerprint of each region come first of
-// these.
-static constexpr int LAYOUT_WITH_REGIONS = 4;
+// Numbers of a restart file: its layout; how many walls, numbers of history for each face, regions
+// and faces; the fingerprints of the regions; the course of the walls; and the force on them, which
+// a run that continues another does not compute again.
+static constexpr int LAYOUT = 4, FINGERPRINTS = 5;
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
-  const bool has_regions = !regions.empty();
-  std::vector<double> head{
-      static_cast<double>(RESTART_MARK + (has_regions ? LAYOUT_WITH_REGIONS : LAYOUT)),
-      static_cast<double>(walls.size()), static_cast<double>(per_wall)};
-  if (has_regions) {
-    head.push_back(static_cast<double>(regions.size()));
-    head.push_back(faces());
-    for (const RegionFaces& region : regions) head.push_back(region.fingerprint());
-  }
+  std::vector<double> head{RESTART_MARK + LAYOUT, static_cast<double>(walls.size()),
+                           static_cast<double>(per_wall), static_cast<double>(regions.size()),
+                           static_cast<double>(faces())};
+  for (const RegionFaces& region : regions) head.push_back(region.fingerprint());
   append_course(head, course, walls);
   forces.write_restart(fp, world, std::move(head));
 }
@@ -125,31 +118,24 @@ void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   const auto* values = reinterpret_cast<double*>(buf);
-  const bool had_regions = values[0] == RESTART_MARK + LAYOUT_WITH_REGIONS;
-  if (!had_regions) require_layout(lmp, values[0], where, LAYOUT);
-  if (had_regions == regions.empty())
-    error->all(FLERR, where +
-                          ": only one of script and restart file has a region as wall: use the "
-                          "same walls, or another fix ID");
-  if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
+  require_layout(lmp, values[0], where, LAYOUT);
+  if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall ||
+      values[3] != static_cast<double>(regions.size()))
     error->all(FLERR,
                where +
                    ": other walls than in the restart file, or friction or rolling "
-                   "friction in one of them only: {} walls with {} numbers of history each "
-                   "there, {} with {} here; give the fix another ID",
-               static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
-  values += COURSE;
-  if (had_regions) {
-    bool are_same = values[0] == static_cast<double>(regions.size()) && values[1] == faces();
-    values += 2;
-    for (std::size_t r = 0; are_same && r < regions.size(); r++)
-      are_same = values[r] == regions[r].fingerprint();
-    if (!are_same)
-      error->all(FLERR, where +
-                            ": other regions than in the restart file; define them as in the "
-                            "script of the first run, or give the fix another ID");
-    values += regions.size();
-  }
+                   "friction in one of them only: {} walls and {} regions with {} numbers of "
+                   "history each there, {} and {} with {} here; give the fix another ID",
+               static_cast<int>(values[1]), static_cast<int>(values[3]),
+               static_cast<int>(values[2]), walls.size(), regions.size(), per_wall);
+  bool are_same = values[4] == faces();
+  values += FINGERPRINTS;
+  for (const RegionFaces& region : regions)
+    are_same = *values++ == region.fingerprint() && are_same;
+  if (!are_same)
+    error->all(FLERR, where +
+                          ": other regions than in the restart file; define them as in the "
+                          "script of the first run, or give the fix another ID");
   course = continued_course(lmp, where, course, walls, values);
   if (comm->me == 0) forces.put_back(values + size_of_course(walls));
 }

@@ -140,7 +140,21 @@ struct WallPoint {
 struct RelativeWallMotion {
   RelativeState relative;  ///< of the nearest point
   Vector3 acceleration;    ///< [length/time^2]
+
+  /// Adds turning_of() a curved face. The relative velocity then has the mean rate of the distance
+  /// in the last step, of length `last_step` [time].
+  void add(const Vector3& turning, double last_step) {
+    relative.velocity += (0.5 * last_step) * turning;
+    acceleration -= turning;
+  }
 };
+
+/// A particle that passes a curved face with the relative velocity v sees its normal n turn: the
+/// distance d changes by d'' = v . dn/dt along n, [length/time^2]. `turned`: change of n in `time`.
+inline Vector3 turning_of(const Vector3& normal, const Vector3& turned, const Vector3& velocity,
+                          double time) {
+  return (dot(velocity, turned) / time) * normal;
+}
 
 /// Whether a particle does not feel a wall: its centre is behind it, or it `was` behind it and has
 /// not been clear of it in front since, at the distance `clear` [length].
@@ -176,9 +190,9 @@ struct Wall {
     return {distance, -distance * away, now.velocity};
   }
 
-  /// The motion of the wall at `point` relative to a particle. Across a cylinder, at a distance r
-  /// from its axis, a particle of the speed s across the normal comes nearer by s^2/r: the relative
-  /// velocity has the mean rate of the distance in the last step, of length `last_step` [time].
+  /// The motion of the wall at `point` relative to a particle. turning_of() a cylinder is s^2/r, at
+  /// a distance r from its axis and with the speed s across the normal. `last_step`: its length,
+  /// [time].
   RelativeWallMotion relative_motion(const Vector3& centre, const Vector3& velocity,
                                      const WallPoint& point, const WallState& now,
                                      double last_step) const {
@@ -187,9 +201,7 @@ struct Wall {
     if (r == 0.0) return motion;
     const Vector3 v = velocity - now.velocity, outwards{centre.x / r, centre.y / r, 0.0};
     const double across = outwards.x * v.y - outwards.y * v.x;
-    const Vector3 turning = (across * across / r) * outwards;
-    motion.relative.velocity += (0.5 * last_step) * turning;
-    motion.acceleration -= turning;
+    motion.add((across * across / r) * outwards, last_step);
     return motion;
   }
 };
