@@ -92,7 +92,7 @@ class RestartAndRanks(ExactWall):
         smooth = f"stiffness {STIFFNESS} restitution 0.8 zplane 0.01 NULL xplane 0.001 0.035 yplane 0 NULL"
         self.run_wall(smooth, dt, 13, save=13)
         rough = f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 zplane 0.01 NULL"
-        with self.assertRaisesRegex(RuntimeError, "4 walls with 8 numbers .* there, 1 with 14 here"):
+        with self.assertRaisesRegex(RuntimeError, "4 walls and 0 regions with 8 numbers .* there, 1 and 0 with 14 here"):
             self.run_wall(rough, dt, 30, start="restart")
 
     def test_two_ranks(self):

@@ -279,7 +279,7 @@ run {steps}
         for other in (self.DRUM.replace("0.01 -", "0.0101 -"), self.DRUM.replace("y 0 0", "y 0 0.0001"),
                       self.DRUM.replace("units", "open 1 units"), self.BLOCK):
             self.refused_restart(other, self.WORDS)
-        self.refused_restart(self.DRUM, self.WORDS.replace("region shape", "zplane -0.01 NULL"), "another fix ID")
+        self.refused_restart(self.DRUM, self.WORDS.replace("region shape", "zplane -0.01 NULL"), "0 walls and 1 regions with")
 
     def refused_restart(self, region, wall, words="another ID"):
         self.stops(HEAD.format(begin="read_restart half.rest", more=region) +

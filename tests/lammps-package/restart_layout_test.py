@@ -62,7 +62,7 @@ class Layout(ScriptTestCase):
 
     def test_another_layout_of_the_motion_of_walls_is_refused(self):
         file = Path(self.folder) / "some.restart"
-        for style, pair, words, layout in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800", 3),
+        for style, pair, words, layout in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800", 4),
                                            ("wall/hard/squarewell", "hard/squarewell", "restitution 0.9", 1)):
             run = f"fix w all {style} {words} xplane 0 NULL\nfix move all nve/sphere\ntimestep 1e-7\nrun 1\n"
             self.goes(f"{HEAD}boundary f p p\n{MAKE}pair_style {pair}\npair_coeff * * {words}\n{run}"
