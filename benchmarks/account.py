@@ -8,7 +8,6 @@ from build_folder import whole_numbers
 from cohesion_tests.progress import Progress
 from cohesion_tests.thermo import loop_seconds
 
-TITLE = "Where the time of a step goes"
 PARTS = {"Pair": "pairs", "Neigh": "lists", "Comm": "ghosts", "Modify": "integration, fixes"}
 
 

@@ -5,23 +5,21 @@
   benchmarks.py BUILD NAME [options]            one of the tables below
   benchmarks.py BUILD NAME --help               its options
   benchmarks.py BUILD NAME --small              the same in a minute or two
-  benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title;
-                                                of dense and features step_costs.csv and
-                                                feature_costs.csv next to it have all columns
-  benchmarks.py BUILD NAME --page FILE.csv      the first table into this file
+  benchmarks.py BUILD NAME --table FILE.csv     writes the table; scripts/page-tables puts it on a page
   benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
-BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
-and do not depend on what else the machine does; times do, and are of processors, taken in turns.
+BUILD is a build folder of the package. Prints the load of the machine, and a table as it is measured. Instructions are
+counted by valgrind and do not depend on what else the machine does; times do, and are of processors, taken in turns.
 """
 import argparse
 import importlib
+import os
 import sys
 from pathlib import Path
 
 import picture
 from build_folder import Missing, Programs
-from page import beside, read, replace_section, source, write_csv
+from printed_table import read, write_csv
 from scenes import REBUILD
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
@@ -32,15 +30,7 @@ NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHT
          "traffic": "what a step fetches from beyond caches, and how fast memory is",
          "scaling": "one rank and two: the same scene, and twice the scene",
          "deliverables": "size, and time to load, of what is built"}
-WRITTEN = ("--page", "--picture")  # where to, each with a file
 PICTURES = ("dense", "growth")  # picture.py draws them
-
-
-def asked(words):
-    """Those of the command line that tell what is measured."""
-    where = [n for n, word in enumerate(words) if word in WRITTEN]
-    return [word for n, word in enumerate(words)
-            if n not in where and n - 1 not in where and not word.startswith(tuple(f"{w}=" for w in WRITTEN))]
 
 
 def main():
@@ -52,33 +42,25 @@ def main():
         importlib.import_module(name).add_words(one)
         one.add_argument("--lammps", choices=("stock", "current", "newest"), default="stock")
         one.add_argument("--small", action="store_true")
-        one.add_argument("--page", type=Path)
+        one.add_argument("--table", type=Path)
         if name in PICTURES:
             one.add_argument("--picture", type=Path)
     words = parser.parse_args()
     table = importlib.import_module(words.name)
-    partial = [word for word in ("feature", "scene", "engine", "way") if getattr(words, word, None)
-               and getattr(words, word) != commands.choices[words.name].get_default(word)]
-    if words.page and words.page.suffix != ".csv" and partial:
-        parser.error(f"--page replaces the whole table of the page, --{partial[0]} measures a part of it")
     if words.name in ("dense", "features") and words.steps % REBUILD:
         parser.error(f"--steps {words.steps}: a multiple of {REBUILD}, what is between two lists")
     if words.small:
         table.small(words)
-    lines = [source(asked(sys.argv[2:])), ""]
+    print(f"load of the machine {os.getloadavg()[0]:.1f} on {len(os.sched_getaffinity(0))} processors")
+    lines = []
     try:
         for line in table.rows(Programs(words.build, words.lammps), words):
             lines.append(line)
             print(line, flush=True)
     except Missing as error:
         sys.exit(str(error))
-    if words.page and words.page.suffix == ".csv":
-        write_csv(words.page, lines)
-    elif words.page:
-        brief = getattr(table, "brief", None)
-        if brief:
-            lines = beside(words.page.with_name(table.FILE), lines, brief)
-        replace_section(words.page, table.TITLE, lines)
+    if words.table:
+        write_csv(words.table, read(lines))
     if getattr(words, "picture", None):
         picture.draw(words.name, read(lines), words.picture)
 

@@ -11,7 +11,6 @@ from cohesion_tests import instruction_count
 from cohesion_tests.coupling.cases import COLUMN, COUPLING, script_file, use_script
 from cohesion_tests.progress import Progress
 
-TITLE = "Features of the coupling"
 GAS_STEP, SUB_STEPS = 1e-4, 10
 CELLS = "(6 6 20)"  # of 1 cm: five diameters, five spheres each
 TURBULENCE = ("FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }\n"

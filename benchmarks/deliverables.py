@@ -10,7 +10,6 @@ from cohesion_tests import instruction_count
 from cohesion_tests.progress import Progress
 from scenes import spread
 
-TITLE = "Size and load time"
 # What is installed for whom; the first of them is what is loaded.
 FILES = {
     "LAMMPS plugin": ("lammps/{lammps}/cohesion-styles.so", "lammps/{lammps}/cohesionplugin.so"),

@@ -7,8 +7,6 @@ import scenes
 from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, granular, hamaker, hooke, ours, overlay, spread, spread_words, well
 
-TITLE = "Cost of a step with cohesion"
-FILE = "step_costs.csv"  # beside a page: all rows of its table
 WAYS = {
     "LAMMPS": {
         "gran/hooke/history (stock)": ("lammps", hooke()),
@@ -99,25 +97,6 @@ def rows(programs, words):
         against[f"{engine}, {scene}"] = over_cohesive(WAYS[engine], counts, turns, beside[1])
     yield ""
     yield from verdict(against)
-
-
-def brief(table):
-    """Lines of a smaller table: styles of this package over the stock style with cohesion; `table`: the rows, as
-    dictionaries."""
-    columns = {"instructions": "over stock with cohesion", "time": "over stock with cohesion, same turn"}
-    names = list(dict.fromkeys(row["scene"].split(",")[0] for row in table))
-    found = {}
-    for row in table:
-        if "(stock" in row["style"]:
-            continue
-        own = found.setdefault((row["engine"], row["style"]), {})
-        own[row["scene"].split(",")[0]] = [row[column].split(" ")[0] for column in columns.values()]
-    heads = [f"{name}: {column}" for name in names for column in columns]
-    yield "| engine | style | " + " | ".join(heads) + " |"
-    yield "|" + "---|" * (len(heads) + 2)
-    for (engine, style), own in found.items():
-        values = [value for name in names for value in own.get(name, [""] * len(columns))]
-        yield f"| {engine} | {style} | " + " | ".join(values) + " |"
 
 
 def over_cohesive(ways, counts, turns, cohesive):

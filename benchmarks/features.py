@@ -5,9 +5,6 @@ import scenes
 from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
-TITLE = "Features of the particle engines"
-FILE = "feature_costs.csv"  # beside a page: all rows of its table
-COSTLY = 1.2  # a page lists features that cost as much in one of the scenes
 HAMAKER_STYLE = f"hamaker cutoff {scenes.CUT} {scenes.OUT}"
 WELL = "gran/squarewell"
 WALL = f"stiffness {scenes.STIFFNESS} restitution {scenes.RESTITUTION} friction {scenes.FRICTION}"
@@ -163,18 +160,3 @@ def rows(programs, words):
                + " | ".join("" if f is None else f"{f:.0f}" for f in found)
                + f" | {show(found[1], found[0])} | {show(found[2], found[0])} |")
         progress.add(1)
-
-
-def brief(table):
-    """Lines of a smaller table: features that cost COSTLY or more when they are on, by scene; `table`: the rows, as
-    dictionaries."""
-    names = list(dict.fromkeys(row["scene"] for row in table))
-    found = {}
-    for row in table:
-        if row["on/without"]:
-            found.setdefault((row["engine"], row["feature"]), {})[row["scene"]] = row["on/without"]
-    yield "| engine | feature | " + " | ".join(names) + " |"
-    yield "|" + "---|" * (len(names) + 2)
-    for (engine, feature), own in found.items():
-        if max(map(float, own.values())) >= COSTLY:
-            yield f"| {engine} | {feature} | " + " | ".join(own.get(name, "") for name in names) + " |"

@@ -10,7 +10,6 @@ from build_folder import whole_numbers
 from cohesion_tests.progress import Progress
 from scenes import spread, spread_words
 
-TITLE = "Growth with the number of particles"
 # The same stretch for all sizes, as the scene changes while it runs: two contact times, lists made twice.
 FIRST, STEPS = 5 * scenes.REBUILD, 2 * scenes.REBUILD
 ASKED = 1.3  # of the time of a step of a million over that of ten thousand

@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of the tables of the benchmarks and of the stability campaign, as they are printed or as they stand on
-a page.
+"""Pictures of the tables of the benchmarks and of the stability campaign.
 
-  picture.py dense|growth|steps PAGE FILE.png
+  picture.py dense|growth|steps TABLE.csv FILE.png
 
-PAGE: docs/verification/step_costs.csv for dense, feature_costs.md there for growth, stability.md there for steps (of
-which the .csv file beside it is drawn), or another file that benchmarks.py --page or stability-campaign.py --table has written.
+TABLE: step_costs.csv of docs/verification for dense, growth.csv for growth, stability.csv for steps, or another file
+that benchmarks.py --table or stability-campaign.py --table has written.
 """
 import re
 import sys
@@ -17,15 +16,9 @@ import growth
 from cohesion_studies import program
 from cohesion_studies.drawing import pyplot, save
 from cohesion_tests.lammps_scenes import stability_pages
-from page import read, read_csv
+from printed_table import read_csv
 
 BAR = "#4477aa"
-
-
-def sections(page):
-    """Title: lines of its section."""
-    parts = re.split(r"^## (.*)\n", page, flags=re.M)
-    return {title: text.splitlines() for title, text in zip(parts[1::2], parts[2::2])}
 
 
 def spread(text):
@@ -118,17 +111,15 @@ def draw_steps(tables):
     return figure
 
 
-def of_page(name, file):
-    """What the picture `name` is drawn from: rows of a .csv file, or a table of a page."""
-    if name == "steps":
-        tables = {}
-        for row in read_csv(file.with_suffix(".csv")):
-            tables.setdefault(row["law"], []).append(row)
-        return tables
-    if file.suffix == ".csv":
-        return read_csv(file)
-    found = sections(file.read_text())
-    return read(found[{"dense": dense, "growth": growth}[name].TITLE])
+def data_of(name, file):
+    """What the picture `name` is drawn from: the rows of a file, of `steps` by law."""
+    rows = read_csv(file)
+    if name != "steps":
+        return rows
+    tables = {}
+    for row in rows:
+        tables.setdefault(row["law"], []).append(row)
+    return tables
 
 
 DRAWN = {"dense": draw_dense, "growth": draw_growth, "steps": draw_steps}
@@ -139,10 +130,10 @@ def draw(name, data, file):
 
 
 def main():
-    name, page, file = program.words(__doc__, 3)
+    name, table, file = program.words(__doc__, 3)
     if name not in DRAWN:
         sys.exit(__doc__)
-    draw(name, of_page(name, Path(page)), file)
+    draw(name, data_of(name, Path(table)), file)
 
 
 if __name__ == "__main__":

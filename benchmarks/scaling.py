@@ -7,7 +7,6 @@ from cohesion_tests.progress import Progress
 from cohesion_tests.thermo import loop_seconds
 from scenes import WAYS, spread
 
-TITLE = "One rank and two"
 
 
 def add_words(parser):

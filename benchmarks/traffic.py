@@ -9,7 +9,6 @@ import scenes
 from build_folder import whole_numbers
 from cohesion_tests.progress import Progress
 
-TITLE = "What a step fetches"
 # A list of neighbours is made once in the steps that are counted, as it is once in so many.
 FIRST, STEPS = scenes.REBUILD, scenes.REBUILD
 LINE = 64  # bytes
