@@ -3,7 +3,7 @@
 """Many contacts with the exact scheme in LAMMPS at coarse steps against a fine one: impacts of agglomerates, a cluster
 that oscillates, and the escape of a sphere from a bound pair.
 
-  agglomerate-impacts.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N ...] [--finest N]
+  agglomerate-impacts.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N ...] [--finest N] [--csv FILE]
 
 Spheres of 1 mm, K = 800 N/m, A = 2e-18 J, by steps in the contact time t_c of the undamped spring. Scenes:
 bound_clusters.py. "stopped": the step is beyond the stability limit (docs/theory/contact_steps.md).
@@ -18,7 +18,7 @@ parts, over the same at the finest step: smallest and largest of eight phases.
 """
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import bound_clusters as clusters
 from cohesion_tests.progress import Progress
 
@@ -64,6 +64,15 @@ def impacts(folder, divisions, friction):
                           (velocities[k]**2).sum(axis=-1).mean() / (speed / 2)**2) for k, speed in enumerate(SPEEDS)]
 
 
+def enter(file, friction, division, cells, finest):
+    """Impacts into contacts.csv; at the finest step, which others are compared with, only the energy."""
+    names = ("bonds that differ", "error of velocities", "final over initial kinetic energy")
+    for speed, values in zip(SPEEDS, cells):
+        for name, value in list(zip(names, values))[2 if finest else 0:]:
+            csv_table.enter(file, {"measurement": "impact of agglomerates", "case": f"friction {friction:g}, {speed:g} m/s",
+                                   "step": f"t_c/{division:g}", "quantity": name}, value=f"{value:.3f}" if value else "0")
+
+
 def ringing(folder, divisions, restitution):
     random = numpy.random.default_rng(2)
     clusters.write(folder, [clusters.ringing(RINGING, 1e-3, random)])
@@ -90,7 +99,8 @@ def escape(folder, division):
 def main():
     words = measuring_program.words(
         __doc__, ("--steps", {"type": float, "nargs": "+", "default": [5, 10, 20, 50], "metavar": "N"}),
-        ("--finest", {"type": float, "default": 100, "metavar": "N", "help": "steps that others are compared with"}))
+        ("--finest", {"type": float, "default": 100, "metavar": "N", "help": "steps that others are compared with"}),
+        csv_table.OPTION)
     divisions = [words.finest, *sorted(words.steps, reverse=True)]
     progress = Progress(sum(divisions) * (len(FRICTIONS) + 1))
     with engine.temporary_folder() as folder:
@@ -100,6 +110,7 @@ def main():
                 progress.add(division)
                 print(f"\r  t_c/{division:<18g}" + ("stopped" if cells is None else "".join(
                     f"{bonds:12.3f}{error:8.3f}{energy:8.4f}" for bonds, error, energy in cells)), flush=True)
+                enter(words.csv, friction, division, cells or [], division == words.finest)
         for restitution in (1.0, RESTITUTION):
             print(f"oscillation, restitution {restitution:g}")
             for division, error in ringing(folder, divisions, restitution):

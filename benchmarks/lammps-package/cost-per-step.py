@@ -5,6 +5,7 @@ a Hamaker attraction) and jkr, or with --law jkr --granular of LAMMPS' own jkr, 
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
                    [--law hamaker | liquid_bridge | capillary | square_well | hertz | jkr] [--ratio RATIO] [--granular]
+                   [--csv FILE]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
@@ -17,7 +18,7 @@ import re
 
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.instruction_count import per_step
 from cohesion_tests.thermo import processor_seconds, thermo_end
 
@@ -28,6 +29,18 @@ STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "capillary": 0.032, "squar
 # Of in.cost_per_step
 STYLES = {"hamaker": "exact", "liquid_bridge": "bridge", "capillary": "capillary", "square_well": "well", "hertz": "hertz",
           "jkr": "jkr"}
+# Of contact_costs.csv: style and strength of a law, and name of the other style.
+NAMES = {"hamaker": ("gran/hamaker", "A = {:g} J"), "hertz": ("gran/hamaker normal hertz", "A = {:g} J"),
+         "jkr": ("gran/jkr", "{:g} J/m2"), "liquid_bridge": ("gran/liquidbridge", "bridge"),
+         "capillary": ("gran/liquidbridge", "capillary"), "square_well": ("gran/squarewell", "D = {:g} J")}
+REFERENCES = {"stock": "gran/hooke/history", "stock_hertz": "gran/hertz/history", "stock_jkr": "granular with jkr"}
+
+
+def table_row(law, scene, mu, constant, reference):
+    style, strength = NAMES[law]
+    strength = "none" if style == "gran/liquidbridge" and constant == 0 else strength.format(constant)
+    return {"engine": "LAMMPS", "scene": scene, "style": style, "friction": f"{mu:g}", "strength": strength,
+            "reference": REFERENCES[reference]}
 
 
 def main():
@@ -37,7 +50,9 @@ def main():
                                     ("--law", {"choices": STRENGTHS, "default": "hamaker"}),
                                     ("--ratio", {"type": float, "default": 1.01, "help": "of the well"}),
                                     ("--granular", {"action": "store_true", "help": "with --law jkr"}),
-                                    ("--instructions", {"action": "store_true"}))
+                                    ("--instructions", {"action": "store_true"}), csv_table.OPTION)
+    if words.csv and not words.instructions:
+        raise SystemExit("--csv: with --instructions")
     ours, strength = STYLES[words.law], STRENGTHS[words.law]
     stock = "stock_hertz" if words.law in ("hertz", "jkr") else "stock"
     if words.granular:
@@ -77,6 +92,8 @@ def main():
                 print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(theirs):13.1f}"
                       f"{of_theirs.mean():10.2f}{numpy.median(exact):13.1f}{of_exact.mean():10.2f}"
                       f"   {middle:.2f} ({low:.2f} to {high:.2f})", flush=True)
+                csv_table.enter(words.csv, table_row(words.law, scene, mu, constant, stock), ratio=f"{middle:.2f}",
+                                **{"instructions of the reference": f"{theirs[0]:.1f}", "instructions": f"{exact[0]:.1f}"})
 
 
 if __name__ == "__main__":

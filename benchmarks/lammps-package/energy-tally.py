@@ -3,6 +3,7 @@
 """What the energy tally of pair_style gran/hamaker misses in a dense gas with damping and friction.
 
   energy-tally.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--law linear|hertz|dmt|jkr] [--side N] [--collisions N] [--elastic]
+                  [--csv FILE]
 
 512 spheres, solid fraction 0.5, 20 collisions per particle (Enskog's rate): residual of compute
 gran/energy at the end, over the kinetic energy of the start, against the step; with --law its largest value in the run
@@ -12,7 +13,7 @@ over what was dissipated, and of gases that dissipate nothing over the kinetic e
 column is what was dissipated over the kinetic energy of the start; a star marks what is above the number that is expected.
 Laws and numbers: theory/hertzian_laws.py. --elastic: only restitution 1 without friction.
 """
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import cohesive_gas as gas
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory import hertzian_laws
@@ -34,6 +35,8 @@ def measure(words, contacts, gases, divisions):
                 cells, lost = [], 0.0
                 for division in divisions:
                     progress.add(division * duration)
+                    row = csv_table.energy("LAMMPS", words.law, (fraction, constant, speed), (restitution, friction),
+                                           division, words.collisions)
                     try:
                         table, _ = gas.follow(folder, division, duration, A=constant, e=restitution, mu=friction,
                                               skin=4e-4 if division < 4 else 2e-4, law=words.law,
@@ -42,9 +45,11 @@ def measure(words, contacts, gases, divisions):
                         if "unstable, so that they gain energy" not in str(error):
                             raise
                         cells.append(f"{'unstable':>10s}")
+                        csv_table.enter(words.csv, row, value="stops")
                         continue
                     lost = (table[0, 1] - table[-1, 1]) / table[0, 3]
                     cells.append(f"{cell(words.law, division, table, lost):>10s}")
+                    csv_table.enter(words.csv, row, value=cells[-1].strip(" *"))
                 print(f"\r{fraction:8g}{constant:10g}{restitution:13g}{friction:10g}" + "".join(cells) + f"{lost:10.3f}",
                       flush=True)
 
@@ -61,7 +66,7 @@ def main():
         ("--side", {"type": int, "default": 8, "metavar": "N", "help": "spheres per edge of the box"}),
         ("--collisions", {"type": float, "default": 20.0, "help": "per particle"}),
         ("--elastic", {"action": "store_true", "help": "only restitution 1 without friction"}),
-        ("--fraction", {"type": float, "help": "only this solid fraction"}))
+        ("--fraction", {"type": float, "help": "only this solid fraction"}), csv_table.OPTION)
     if words.law == "linear":
         return measure(words, CONTACTS, GASES, DIVISIONS)
     contacts = ((1.0, 0.0),) if words.elastic else hertzian_laws.CONTACTS

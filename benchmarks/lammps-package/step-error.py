@@ -4,7 +4,7 @@
 step, with what it costs: the tables and the picture of docs/verification/contacts.md. Scene couples of
 examples/error-against-run-time compares the schemes at equal run time.
 
-  step-error.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--plot FILE.png]
+  step-error.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--plot FILE.png] [--csv FILE]
   step-error.py LIGGGHTS_COHESION                                       which has the sampled scheme only
 
 For each step, couples of graded speed approach with the contact at eight positions within the step.
@@ -16,7 +16,7 @@ hamaker; exact: pair_style gran/hamaker.
 import numpy
 
 from cohesion_studies.drawing import pyplot, save
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import bed_couples as couple, couples
 from cohesion_tests.theory import pair_motion
 from cohesion_tests.thermo import loop_seconds
@@ -100,8 +100,18 @@ def plot(tables, file):
     save(figure, file)
 
 
+def enter(file, scheme, dt, slowest, fastest):
+    """Into contacts.csv."""
+    step = f"{dt:.3g} s".replace("e-0", "e-")
+    for name, value in (("slowest escape", slowest), ("fastest capture", fastest)):
+        csv_table.enter(file, {"measurement": "escape velocity", "case": scheme, "step": step,
+                               "quantity": f"{name} over the escape velocity"}, value=f"{value:.4f}")
+
+
 def main():
-    options = measuring_program.words(__doc__, ("--plot", {"metavar": "FILE"}), liggghts=True)
+    options = measuring_program.words(__doc__, ("--plot", {"metavar": "FILE"}), csv_table.OPTION, liggghts=True)
+    if options.csv and not options.plugin:
+        raise SystemExit("--csv: of LAMMPS")
 
     exact = couple.escape_velocity()
     # Long enough for the couple just above the exact velocity to part.
@@ -117,6 +127,7 @@ def main():
             row = dt, *measure(run, dt, exact, duration)
             tables[name].append(row)
             print(f"{name:8}{dt:10.3g}  {row[1]:14.4f}  {row[2]:16.4f}  {row[3]:18.2g}", flush=True)
+            enter(options.csv, name, *row[:3])
     found = {name: at_asked_error(rows) for name, rows in tables.items()}
     for name, (step, seconds) in found.items():
         print(f"at an error of {ASKED:g}: {name} {step:.2g} s, {seconds:.2g} seconds per couple")

@@ -3,6 +3,7 @@
 """A pair that sticks, struck by a third sphere: error of the velocities against the step.
 
   struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme exact|sampled] [--finest N] [--law linear|hertz|dmt|jkr] [--rows]
+                  [--csv FILE]
   struck-pairs.py LIGGGHTS_COHESION [--scheme exact|sampled] [--finest N] [--law linear|hertz|dmt|jkr] [--rows]
 
 Sampled, and in LIGGGHTS, as in in.head_on: without friction, of which the engines have different laws.
@@ -14,7 +15,7 @@ touch head-on, at 50 places in the step and two speeds, with restitution 1 and 0
 """
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import triples
 from cohesion_tests.theory import hertzian_laws
 
@@ -34,6 +35,15 @@ def compare(found, reference, speeds=triples.SPEEDS):
     return int((~same).sum()), error[same]
 
 
+def enter(words, friction, division, number, mean):
+    """Into contact_motion.csv."""
+    name = "sampled" if words.scheme == "sampled" else f"{'LAMMPS' if words.plugin else 'LIGGGHTS'}, exact"
+    name += f", friction {friction:g}" if friction else ""
+    for what, value in (("other outcomes of 100", f"{number}"), ("error of velocities", f"{mean:#.2g}")):
+        csv_table.enter(words.csv, {"measurement": "struck pairs", "quantity": f"{name}: {what}",
+                                    "step": f"t_c/{division}"}, value=value)
+
+
 def measure_triples(folder, words):
     triples.write(folder, words.law)
     for friction in (0.0, 0.3) if words.scheme == "exact" and words.plugin else (0.0,):
@@ -50,6 +60,7 @@ def measure_triples(folder, words):
             most = TRIPLES.get((words.law, division), (100, numpy.inf))
             print(f"  t_c/{division:<4d} other outcome {number:3d}   root mean square {mean:.2g}"
                   f"{' *' if number > most[0] or mean > most[1] else ''}", flush=True)
+            enter(words, friction, division, number, mean)
 
 
 def measure_rows(folder, words):
@@ -71,7 +82,10 @@ def main():
     words = measuring_program.words(
         __doc__, ("--scheme", {"choices": tuple(DIVISIONS), "default": "exact"}),
         ("--finest", {"type": int, "default": 1000}), ("--law", {"choices": hertzian_laws.LAWS, "default": "linear"}),
-        ("--rows", {"action": "store_true", "help": "two that touch are struck head-on"}), liggghts=True)
+        ("--rows", {"action": "store_true", "help": "two that touch are struck head-on"}),
+        csv_table.OPTION, liggghts=True)
+    if words.csv and (words.rows or words.law != "linear"):
+        raise SystemExit("--csv: of triples with linear springs")
     with engine.temporary_folder() as folder:
         (measure_rows if words.rows else measure_triples)(folder, words)
 

@@ -4,6 +4,7 @@
 against the time step.
 
   gas-energy.py LIGGGHTS_COHESION [--collisions N] [--scheme exact|sampled] [--restitution E] [--law linear|hertz|dmt]
+      [--csv FILE]
 
 The same gases as of lammps-package/energy-drift.py. Change is the total energy minus that of the start, over the kinetic
 energy of the start: `end` is its mean over the last tenth of the run, `most` the largest of 50 samples, `slope` what a
@@ -17,6 +18,7 @@ import time
 import numpy
 from scipy.stats import linregress
 
+from cohesion_tests import csv_table
 from cohesion_tests.lammps_scenes.cohesive_gas import collision_rate, contact_time
 from cohesion_tests.launcher import given_program
 from cohesion_tests.liggghts_scenes.elastic_gas import elastic, energy, gas, hertzian, hertzian_energy, kinetic_energy
@@ -39,7 +41,10 @@ def main():
     words.add_argument("--restitution", type=float, default=1.0)
     words.add_argument("--law", choices=("linear", "hertz", "dmt"), default="linear")
     words.add_argument("--fraction", type=float, help="only this solid fraction")
+    words.add_argument(csv_table.OPTION[0], **csv_table.OPTION[1])
     words = words.parse_args()
+    if words.csv and (words.law != "linear" or words.restitution != 1):
+        raise SystemExit("--csv: of elastic gases of linear springs")
     os.environ["COHESION_LAUNCHER"] = words.launcher
     cases = [case for case in (CASES if words.law == "linear" else hertzian_laws.gases(words.law))
              if words.fraction in (None, case[0])]
@@ -74,6 +79,8 @@ def measure(words, case, duration, division):
     line = linregress(numpy.arange(1, SAMPLES + 1) / SAMPLES, change[1:])
     print(f"\r  t_c/{division:<5d} {change[-SAMPLES // 10:].mean():10.1e} {change[1:].max():10.1e} "
           f"{line.slope:10.1e} +- {line.stderr:.0e} {seconds:9.1f}", flush=True)
+    csv_table.enter(words.csv, csv_table.drift("LIGGGHTS", words.scheme, case, division),
+                    value=f"{change[-SAMPLES // 10:].mean():.1e}")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 """What compute gran/energy does not account for in gases with damping and friction in LIGGGHTS, scheme exact.
 
   liggghts-energy-tally.py LIGGGHTS_COHESION [--side N] [--collisions N] [--scheme exact|sampled]
-      [--law linear|hertz|dmt|jkr] [--elastic] [--fraction N]
+      [--law linear|hertz|dmt|jkr] [--elastic] [--fraction N] [--csv FILE]
 
 N^3 spheres (512), 20 collisions per particle (Enskog's rate): entry 10 at the end, over the kinetic energy of the
 start, against the step. `unstable`: the engine stops with the largest stable step. With --law as energy-tally.py, at the
@@ -12,6 +12,7 @@ end.
 import argparse
 import os
 
+from cohesion_tests import csv_table
 from cohesion_tests.lammps_scenes.cohesive_gas import collision_rate, contact_time
 from cohesion_tests.launcher import given_program
 from cohesion_tests.liggghts_scenes.elastic_gas import tallied_gas
@@ -32,7 +33,10 @@ def main():
     words.add_argument("--law", choices=hertzian_laws.LAWS, default="linear")
     words.add_argument("--elastic", action="store_true", help="only restitution 1 without friction")
     words.add_argument("--fraction", type=float, help="only this solid fraction")
+    words.add_argument(csv_table.OPTION[0], **csv_table.OPTION[1])
     words = words.parse_args()
+    if words.csv and words.scheme != "exact":
+        raise SystemExit("--csv: of scheme exact")
     os.environ["COHESION_LAUNCHER"] = words.launcher
     if words.law == "linear":
         return measure(words, CONTACTS, GASES, DIVISIONS)
@@ -53,6 +57,9 @@ def measure(words, contacts, gases, divisions):
                                    law=words.law)
                 lost = (rows[0][1] - rows[-1][1]) / rows[0][2] if rows else lost
                 cells.append(f"{cell(words.law, division, rows, lost) if rows else 'unstable':>10s}")
+                csv_table.enter(words.csv, csv_table.energy("LIGGGHTS", words.law, (fraction, constant, speed),
+                                                            (restitution, friction), division, words.collisions),
+                                value=cells[-1].strip(" *") if rows else "stops")
                 progress.add(division * duration)
             print(f"\r{fraction:8g}{constant:10g}{restitution:13g}{friction:10g}" + "".join(cells) + f"{lost:10.3f}",
                   flush=True)

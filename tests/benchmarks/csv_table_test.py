@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the option --csv of the benchmarks enters into tables of docs/verification: csv_table_test.py SOURCE."""
+import csv
+import importlib.machinery
+import importlib.util
+import itertools
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from cohesion_tests import csv_table
+from cohesion_tests.theory import hertzian_laws
+
+SOURCE = Path(sys.argv[1])
+TABLES = SOURCE / "docs/verification"
+
+
+def program(name):
+    file = SOURCE / "benchmarks" / f"{name}.py"
+    loader = importlib.machinery.SourceFileLoader(file.stem.replace("-", "_"), str(file))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+def rows(name):
+    with open(TABLES / f"{name}.csv", newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
+class Entered(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="cohesion-")
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name) / "table.csv"
+
+    def copy(self, name):
+        shutil.copy(TABLES / f"{name}.csv", self.file)
+        return self.file.read_text()
+
+    def test_same_values_change_nothing(self):
+        for name, measured in (("contact_energies", ("value",)), ("contacts", ("value",)), ("contact_motion", ("value",)),
+                               ("contact_costs", ("instructions of the reference", "instructions", "ratio"))):
+            text = self.copy(name)
+            row = rows(name)[3]
+            csv_table.enter(self.file, {key: row[key] for key in row if key not in measured},
+                            **{key: row[key] for key in measured})
+            self.assertEqual(self.file.read_text(), text, name)
+
+    def test_value_of_a_row_and_a_new_row(self):
+        self.file.write_text("a,b,value\nx,,1\nx,y,2\n")
+        csv_table.enter(self.file, {"a": "x"}, value="3")
+        csv_table.enter(self.file, {"a": "z"}, value="4")
+        self.assertEqual(self.file.read_text(), "a,b,value\nx,,3\nx,y,2\nz,,4\n")
+
+    def test_unknown_columns_stop_and_no_file_is_none(self):
+        self.copy("contacts")
+        with self.assertRaises(ValueError):
+            csv_table.enter(self.file, {"a": "x"}, value="3")
+        csv_table.enter(None, {"a": "x"}, value="3")
+
+
+class Programs(unittest.TestCase):
+    """The rows that they enter are rows of the tables."""
+
+    def expect(self, table, wanted):
+        known = rows(table)
+        for row in wanted:
+            names = known[0].keys() - {"value", "instructions of the reference", "instructions", "ratio"}
+            self.assertIn({name: row.get(name, "") for name in names},
+                          [{name: one[name] for name in names} for one in known])
+
+    def test_energy_of_gases(self):
+        for name, engine in (("lammps-package/energy-tally", "LAMMPS"),
+                             ("liggghts-styles/liggghts-energy-tally", "LIGGGHTS")):
+            tally = program(name)
+            gases = [gas for gas in tally.GASES if engine == "LAMMPS" or gas[1] == 0]
+            self.expect("contact_energies", (csv_table.energy(engine, "linear", *case, 20.0) for case in itertools.product(
+                gases, tally.CONTACTS, (5, 10, 20))))
+            for law in ("hertz", "dmt", "jkr"):
+                self.expect("contact_energies", (csv_table.energy(engine, law, gas, contact, division, 20.0)
+                                                 for gas in hertzian_laws.gases(law, 0.5)
+                                                 for contact in hertzian_laws.CONTACTS for division in (10, 20)))
+        gas = program("liggghts-styles/gas-energy")
+        for engine, scheme in (("LAMMPS", "exact"), ("LIGGGHTS", "exact"), ("LIGGGHTS", "sampled")):
+            self.expect("contact_energies", (csv_table.drift(engine, scheme, case, division)
+                                             for case in gas.CASES for division in gas.DIVISIONS))
+
+    def test_costs(self):
+        cost = program("lammps-package/cost-per-step")
+        self.expect("contact_costs", (cost.table_row("hamaker", scene, mu, constant, "stock")
+                                      for scene in cost.SCENES for mu in (0.0, 0.3) for constant in (0.0, 2e-18)))
+        self.expect("contact_costs", (cost.table_row(law, "gas", mu, cost.STRENGTHS[law], reference)
+                                      for law, reference in (("hertz", "stock_hertz"), ("jkr", "stock_jkr"),
+                                                             ("capillary", "stock"), ("liquid_bridge", "stock"))
+                                      for mu in (0.0, 0.3)))
+
+    def entered(self, module, call):
+        """Rows that `call` enters."""
+        found, kept = [], csv_table.enter
+        self.addCleanup(setattr, module.csv_table, "enter", kept)
+        module.csv_table.enter = lambda file, row, **measured: found.append(row)
+        call()
+        return found
+
+    def test_motion(self):
+        steps, pairs, impacts = (program(f"lammps-package/{name}")
+                                 for name in ("step-error", "struck-pairs", "agglomerate-impacts"))
+        self.expect("contacts", self.entered(steps, lambda: [steps.enter("", scheme, dt, 1.0, 1.0) for scheme in steps.SCHEMES
+                                                             for dt in steps.SCHEMES[scheme][1]]))
+        self.expect("contacts", self.entered(impacts, lambda: [
+            impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100) for mu in (0.0, 0.3) for step in (5.0, 100)]))
+        for scheme, friction in (("exact", 0.0), ("exact", 0.3), ("sampled", 0.0)):
+            words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": ""})
+            self.expect("contact_motion", self.entered(pairs, lambda: pairs.enter(words, friction, 10, 1, 0.1)))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
