@@ -68,9 +68,10 @@ def enter(file, friction, division, cells, finest):
     """Impacts into contacts.csv; at the finest step, which others are compared with, only the energy."""
     names = ("bonds that differ", "error of velocities", "final over initial kinetic energy")
     for speed, values in zip(SPEEDS, cells):
+        row = {"measurement": "impact of agglomerates", "case": f"friction {friction:g}, {speed:g} m/s",
+               "step": f"t_c/{division:g}"}
         for name, value in list(zip(names, values))[2 if finest else 0:]:
-            csv_table.enter(file, {"measurement": "impact of agglomerates", "case": f"friction {friction:g}, {speed:g} m/s",
-                                   "step": f"t_c/{division:g}", "quantity": name}, value=f"{value:.3f}" if value else "0")
+            csv_table.enter(file, {**row, "quantity": name}, value=f"{value:.3f}" if value else "0")
 
 
 def ringing(folder, divisions, restitution):

@@ -92,8 +92,9 @@ def main():
                 print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(theirs):13.1f}"
                       f"{of_theirs.mean():10.2f}{numpy.median(exact):13.1f}{of_exact.mean():10.2f}"
                       f"   {middle:.2f} ({low:.2f} to {high:.2f})", flush=True)
-                csv_table.enter(words.csv, table_row(words.law, scene, mu, constant, stock), ratio=f"{middle:.2f}",
-                                **{"instructions of the reference": f"{theirs[0]:.1f}", "instructions": f"{exact[0]:.1f}"})
+                found = {"instructions of the reference": f"{theirs[0]:.1f}", "instructions": f"{exact[0]:.1f}",
+                         "ratio": f"{middle:.2f}"}
+                csv_table.enter(words.csv, table_row(words.law, scene, mu, constant, stock), **found)
 
 
 if __name__ == "__main__":

@@ -116,8 +116,8 @@ class Pages(unittest.TestCase):
             lammps_pages.main(SOURCE, pages)
             (pages / "conf.py").write_text(CONF)
             (pages / "index.rst").write_text(INDEX)
-            done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-n", "-W", "--keep-going", "-b", "text", pages,
-                                   built], capture_output=True, text=True)
+            done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-n", "-W", "--keep-going", "-b", "text",
+                                   pages, built], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             texts = {file.stem: file.read_text() for file in built.glob("*.txt")}
         self.assertEqual(set(texts), {"index", *(file.stem for file in (SOURCE / "docs/lammps-package").glob("*.md"))})
