@@ -207,7 +207,7 @@ std::vector<std::string> script_lines(const PowderRequest& r, const Powder& p) {
 void print_script(const Lines& print, const PowderRequest& r, const Powder& p) {
   print.heading("In a script, " + r.engine);
   for (const std::string& line : script_lines(r, p)) print.note(line);
-  if (r.engine == "lammps" && well_ratio_of(r) > 0.0)
+  if (r.engine == "lammps" && (r.is_packing() || well_ratio_of(r) > 0.0))
     for (const auto& wall : p.contacts().lammps_walls())
       print.note("# walls, " + wall.group + ": " + wall.contact);
   char text[80];

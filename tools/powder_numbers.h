@@ -60,7 +60,8 @@ class Powder {
     hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), asperity.radius, asperity.height};
     adhesion = adhesion_at(sizes.smallest());
     const double fall = std::sqrt(2.0 * r.gravity * parcels.length(sizes.largest()));
-    speed = r.speed > 0.0 ? r.speed : std::max(2.0 * fastest_fluidisation, fall);
+    const double usual = r.is_packing() ? fall : std::max(2.0 * fastest_fluidisation, fall);
+    speed = r.speed > 0.0 ? r.speed : usual;
     const Load load{speed, pressure_of(r.height, r.void_fraction, r.density * r.gravity)};
     if (r.is_elastic())
       elastic = elastic_of(load);
@@ -172,6 +173,8 @@ class Powder {
  private:
   /// z0 of Tabor's parameter, [m].
   static constexpr double atomic_distance = 2e-10;
+  /// Of a load on contacts: docs/theory/contact_strength.md.
+  static constexpr double steps_per_contact_of_packing = 10.0;
 
   Springs springs_under(const Load& load) const {
     const PowderRequest& r = request_;
@@ -240,6 +243,7 @@ class Powder {
 
   double steps_of_contact() const {
     if (elastic) return advice::steps_per_integrated_contact;
+    if (request_.is_packing()) return steps_per_contact_of_packing;
     return request_.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
   }
 

@@ -38,6 +38,7 @@ struct PowderRequest {
   double gravity = 9.81, speed = 0.0;
   double width = 0.0, depth = 0.0, column = 0.0, height = 0.0, void_fraction = 0.42;
   std::string keep = "velocity";
+  std::string use = "bed";  // of the run: a fluidised bed, or a packing without gas
   double coarse_graining = 1.0;
   double cell = powder::cell_over_diameter;  // over the largest diameter of what is computed
   std::string engine = "lammps";
@@ -50,6 +51,7 @@ struct PowderRequest {
 
   bool is_jkr() const { return contact == "jkr"; }
   bool is_elastic() const { return contact != "linear"; }
+  bool is_packing() const { return use == "packing"; }
 };
 
 inline void add_gas_options(CLI::App& app, PowderRequest& r) {
@@ -120,12 +122,15 @@ inline void add_options(CLI::App& app, PowderRequest& r) {
   app.add_option("--keep", r.keep, "what springs softer than the material keep of it")
       ->check(CLI::IsMember({"velocity", "force"}))
       ->capture_default_str();
+  app.add_option("--use", r.use, "of the run: speed of impacts, steps, walls")
+      ->check(CLI::IsMember({"bed", "packing"}))
+      ->capture_default_str();
   app.add_option("--overlap", r.overlap, "largest overlap over the diameter")
       ->check(CLI::Range(1e-5, 0.1))
       ->capture_default_str();
   app.add_option("--speed", r.speed,
                  "of impacts; not given: twice the largest u_mf, "
-                 "or of a fall of one diameter if larger [m/s]")
+                 "or of a fall of one diameter if larger, or in a packing [m/s]")
       ->check(CLI::PositiveNumber);
   add_gas_options(app, r);
   app.add_option("--gravity", r.gravity, "[m/s2]")->capture_default_str();
@@ -214,6 +219,8 @@ inline void require_together(const PowderRequest& r) {
   const bool area = r.width > 0.0 || r.column > 0.0;
   require(area == (r.height > 0.0), "height of the bed", r.height,
           "a bed takes --height and either --width and --depth or --column");
+  require(!r.is_packing() || r.folder.empty(), "fluidised bed", 0.0,
+          "--write writes one: leave --use packing out");
   require(!r.measure || r.engine == "lammps", "measurement", 1.0,
           "--measure runs LAMMPS: leave --engine out");
   const bool well = r.law == "square_well";

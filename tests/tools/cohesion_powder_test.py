@@ -126,6 +126,22 @@ class Numbers(unittest.TestCase):
         steps = float(re.search(r"particle step, t_c/(\S+), scheme exact", output)[1])
         self.near(steps, found["contact_time"] / found["particle_step"], 5e-3)
 
+    def test_a_packing_has_falling_grains_ten_steps_and_walls(self):
+        packing = (*GLASS, "--keep", "force", "--use", "packing")
+        found, bed = program.values(*packing), program.values(*packing[:-2])
+        fall = math.sqrt(2 * G * 5e-4)
+        self.near(found["impact_speed"], fall)
+        self.assertGreater(bed["impact_speed"], 2 * fall)
+        # Steps become shorter, to divide an interval of outputs.
+        self.assertGreaterEqual(found["contact_time"] / found["particle_step"], 10 * (1 - 1e-9))
+        self.assertLess(found["contact_time"] / found["particle_step"], 11)
+        output = program.call(*packing)[1]
+        contact = re.search(r"pair_coeff \* \* (.*)", output)[1]
+        self.assertIn(f"# walls, all: {contact}\n", output)
+        self.assertNotIn("# walls", program.call(*packing[:-2])[1])
+        hertz = program.values(*packing, "--contact", "hertz")
+        self.assertGreaterEqual(hertz["contact_time"] / hertz["particle_step"], 20 * (1 - 1e-9))
+        self.near(program.values(*packing, "--speed", 0.3)["impact_speed"], 0.3)
 
     def test_parcels_are_grains_magnified(self):
         words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19, *BED)
@@ -396,6 +412,7 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, "--diameter", 6e-4), "--diameter: given twice")
         self.refused((*GLASS, "--gravity", 9.8, "--gravity", 1.6), "--gravity")
         self.refused((*GLASS, "--coarse-graining", 0.5), "--coarse-graining")
+        self.refused((*GLASS, *BED, "--use", "packing", "--write", "never-written"), "leave --use packing out")
         self.refused((*GLASS, "--cell", 1), "--cell")
         self.refused((*GLASS, "--measure", "--engine", "liggghts"), "--measure runs LAMMPS")
         self.refused((*GLASS, *BED, "--grains", 100, "--write", "never-written"), "--grains = 100: the smallest vessel",
