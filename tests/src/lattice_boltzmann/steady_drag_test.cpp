@@ -49,6 +49,22 @@ TEST(SteadyDrag, ForcesBalance) {
   }
 }
 
+// Of a flow on its way: what the spheres do not hold of the force goes into the momentum of the
+// fluid, of density 1. Rounding: some 1e-16 of the populations, 1/3, over what a step adds, 1e-6.
+TEST(SteadyDrag, BalanceIsTheGrowthOfTheMomentum) {
+  const double force = 1e-6;
+  const Array array = cubic_array(sc, 0.3, 8.0);
+  DrivenFlow driven(array, slow(0.3, force), one_by_one);
+  for (const int steps : {1, 5, 20}) {
+    const double before = driven.speed();
+    const SteadyDrag drag = driven.measured(steps);
+    const double fluid = static_cast<double>(driven.walls().fluid_nodes());
+    const double grown = volume(array) * (drag.superficial[0] - before) / steps;
+    EXPECT_NEAR(drag.balance, grown / (force * fluid), 1e-9) << steps;
+    EXPECT_GT(drag.balance, 0.01) << steps;
+  }
+}
+
 // With the constant of the two relaxation times fixed, slow flow is the same at any viscosity: 0.1
 // % is asked.
 TEST(SteadyDrag, DoesNotDependOnTheRelaxationTime) {
