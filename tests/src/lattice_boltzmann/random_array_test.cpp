@@ -62,6 +62,7 @@ TEST(RandomArray, HasTheSauterMeanAskedForInAnyUnitOfDiameters) {
       cubes += std::pow(2.0 * s.radius, 3);
     }
     EXPECT_NEAR(cubes / squares, 12.0, 12.0 * 0.5 / (array.nodes[0] - 0.5));
+    EXPECT_NEAR(sauter_mean(array), cubes / squares, 1e-13);
   }
 }
 

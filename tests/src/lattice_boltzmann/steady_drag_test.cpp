@@ -145,6 +145,45 @@ TEST(SteadyDrag, AverageOfASteadyFlowIsItsDrag) {
     EXPECT_NEAR(drag_on(mean, array, settings, s) / drag_on(steady, array, settings, s), 1.0, 1e-7);
 }
 
+// The drag on the spheres together is the force on the nodes in fluid; mean_drag() has the volume
+// outside of the spheres in their place. 1e-8: the tolerance of the flow.
+TEST(SteadyDrag, MeanIsThatOfTheSpheresButForTheNodes) {
+  const Array array = cubic_array(bcc, 0.3, 8.0);
+  const FlowSettings settings = slow(0.3, 1e-6, {0.0, 0.6, 0.8});
+  DrivenFlow driven(array, settings, one_by_one);
+  const SteadyDrag drag = steady_drag(driven, settings);
+  double sum = 0.0;
+  for (std::size_t s = 0; s < array.spheres.size(); s++) sum += drag_on(drag, array, settings, s);
+  const double outside = (1.0 - solid_fraction(array)) * volume(array);
+  const double fluid = static_cast<double>(driven.walls().fluid_nodes());
+  EXPECT_NEAR(sum / 2.0 / (mean_drag(drag, array, settings) * fluid / outside), 1.0, 1e-8);
+}
+
+// Of a flow that is led to a speed, whose force changes from tenth to tenth.
+TEST(SteadyDrag, AverageIsTheMeanOfTenthsAndItsSwingTheirStandardError) {
+  const Array array = cubic_array(sc, 0.3, 8.0);
+  FlowSettings settings = slow(0.05, 1e-7);
+  settings.speed = 0.01;
+  DrivenFlow once(array, settings, one_by_one), again(array, settings, one_by_one);
+  const SteadyDrag mean = average_drag(once, 200, {});
+  double force = 0.0, squares = 0.0, drag = 0.0, speed = 0.0, balance = 0.0;
+  for (int part = 0; part < 10; part++) {
+    const SteadyDrag tenth = again.measured(20);
+    force += tenth.body_force[0] / 10.0;
+    squares += tenth.body_force[0] * tenth.body_force[0] / 10.0;
+    drag += tenth.forces[0][0] / 10.0;
+    speed += tenth.superficial[0] / 10.0;
+    balance = std::max(balance, tenth.balance);
+  }
+  EXPECT_NEAR(mean.body_force[0] / force, 1.0, 1e-14);
+  EXPECT_NEAR(mean.forces[0][0] / drag, 1.0, 1e-13);
+  EXPECT_NEAR(mean.superficial[0] / speed, 1.0, 1e-13);
+  EXPECT_EQ(mean.balance, balance);
+  const double error = std::sqrt((squares - force * force) / 9.0);
+  EXPECT_NEAR(mean.swing, error / force, 1e-10 * mean.swing);
+  EXPECT_GT(mean.swing, 0.01);
+}
+
 TEST(SteadyDrag, WhatCannotBeIsRefused) {
   EXPECT_THROW(cubic_array(sc, 0.6, 12.0), InvalidParameter);
   EXPECT_THROW(cubic_array(fcc, 0.3, 2.0), InvalidParameter);
