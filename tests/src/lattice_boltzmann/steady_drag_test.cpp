@@ -184,9 +184,20 @@ TEST(SteadyDrag, AverageIsTheMeanOfTenthsAndItsSwingTheirStandardError) {
   EXPECT_GT(mean.swing, 0.01);
 }
 
+TEST(SteadyDrag, TheDensestArrayAndTheSmallestSpheresArePossible) {
+  for (const CubicArray& kind : cubic_arrays) {
+    // Where neighbours touch: 1/2, sqrt(3)/4 and sqrt(2)/4 of the edge.
+    const Array array = cubic_array(kind, kind.densest, 4.0);
+    const double touching[] = {0.5, std::sqrt(3.0) / 4.0, std::sqrt(2.0) / 4.0};
+    EXPECT_NEAR(array.spheres[0].radius / array.nodes[0], touching[&kind - cubic_arrays.data()],
+                1e-8)
+        << kind.name;
+  }
+}
+
 TEST(SteadyDrag, WhatCannotBeIsRefused) {
   EXPECT_THROW(cubic_array(sc, 0.6, 12.0), InvalidParameter);
-  EXPECT_THROW(cubic_array(fcc, 0.3, 2.0), InvalidParameter);
+  EXPECT_THROW(cubic_array(fcc, 0.3, 3.99), InvalidParameter);
   EXPECT_THROW(steady_drag(cubic_array(sc, 0.3, 8.0), slow(0.0)), InvalidParameter);
   FlowSettings short_run = slow(0.1);
   short_run.most_steps = 100;
