@@ -26,9 +26,12 @@ struct DiscreteConstants {
 /// Source: M. Weber, thesis, appendix C, with the constant force added.
 class DampedOscillator {
  public:
-  /// w0^2 = K/mu > 0 [1/time^2], alpha = eta/(2 mu) >= 0 [1/time].
+  /// w0^2 = K/mu >= 0 [1/time^2], alpha = eta/(2 mu) >= 0 [1/time]. Without a spring, w0 = 0, there
+  /// must be no drive, which would have no equilibrium.
   DampedOscillator(double w0_squared, double alpha)
-      : w0_squared_(w0_squared), inverse_w0_squared_(1.0 / w0_squared), alpha_(alpha) {
+      : w0_squared_(w0_squared),
+        inverse_w0_squared_(w0_squared > 0.0 ? 1.0 / w0_squared : 0.0),
+        alpha_(alpha) {
     const double w0 = std::sqrt(w0_squared);
     const double q_squared = (w0 - alpha) * (w0 + alpha);
     // Critical damping as rounding leaves it is critical damping.
@@ -172,9 +175,7 @@ class DampedOscillator {
 /// may be missing.
 inline DiscreteConstants discrete_constants(double stiffness, double damping, double mass,
                                             double t) {
-  if (stiffness > 0.0)
-    return DampedOscillator(stiffness / mass, 0.5 * damping / mass).on_grid(t, mass);
-  return {0.0, -std::expm1(-damping * t / mass) * mass / t};
+  return DampedOscillator(stiffness / mass, 0.5 * damping / mass).on_grid(t, mass);
 }
 
 /// The forces, for half a step each, between which a run of such steps stands: `first` from the
@@ -187,12 +188,6 @@ struct DiscreteEndConstants {
 inline DiscreteEndConstants discrete_end_constants(double stiffness, double damping, double mass,
                                                    double t) {
   const DiscreteConstants plain = discrete_constants(stiffness, damping, mass, t);
-  if (!(stiffness > 0.0)) {
-    const double rate = damping / mass * t;
-    const double way = rate > 0.0 ? -std::expm1(-rate) / rate : 1.0;
-    const double m = 2.0 * mass / t;
-    return {{0.0, m * (1.0 - way)}, {0.0, m * (1.0 - std::exp(-rate) / way)}};
-  }
   const auto p = DampedOscillator(stiffness / mass, 0.5 * damping / mass).propagator(t);
   // A velocity cannot be told from two places half a swing apart.
   if (!(p.xv > 0.1 * t * (p.xx + p.vv > 0.0 ? p.vv : 1.0))) return {plain, plain};

@@ -45,6 +45,20 @@ class Names(unittest.TestCase):
         self.assertEqual(found, [])
 
 
+class UnitTests(unittest.TestCase):
+    def test_include_each_header_of_src(self):
+        """Directly, or through another header: code that no unit test compiles can be wrong unseen."""
+        def included(file):
+            return {SOURCE / "src" / name for name in re.findall('^#include "(.*)"$', file.read_text(), re.M)}
+
+        headers = set((SOURCE / "src").rglob("*.h"))
+        found, new = set(), set().union(*map(included, (SOURCE / "tests/src").rglob("*_test.cpp"))) & headers
+        while new:
+            found |= new
+            new = set().union(*map(included, new)) & headers - found
+        self.assertEqual(sorted(str(file.relative_to(SOURCE)) for file in headers - found), [])
+
+
 class InATree(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

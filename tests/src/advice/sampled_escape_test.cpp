@@ -127,6 +127,20 @@ TEST(SampledEscape, OfAWellGoesWithTheRootOfItsDepth) {
   }
 }
 
+TEST(SampledEscape, OfAWellIsKnownOnlyBeyondTheWayInAStep) {
+  const double exact = escape_velocity_of_depth(spring, depth);
+  const contact::AdhesiveContact contact(spring, contact::Adhesion{0.0, 1e-6, depth});
+  const double way = contact.entry_speed(exact) * thesis_step;
+  const auto of_width = [](double width) {
+    return sampled_escape(spring, contact::Adhesion{0.0, width, depth}, 2.0 * thesis::radius,
+                          thesis_step)
+        .mean;
+  };
+  for (const double part : {0.999, 1.0})
+    expect_refused([&] { of_width(part * way); }, "width of the well");
+  EXPECT_EQ(of_width(1.001 * way), of_width(2.0 * way));
+}
+
 TEST(SampledEscape, RefusesWhatCannotBeSampled) {
   expect_refused([] { hamaker_at(0.0); }, "time step");
   expect_refused([] { hamaker_at(0.6 * thesis::contact_time); }, "time step");

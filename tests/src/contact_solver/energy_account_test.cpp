@@ -126,4 +126,76 @@ TEST(EnergyAccount, ElasticChainsKeepTheirEnergyAtAnyStep) {
   }
 }
 
+// mu = 2 and dt = 0.5 below. Tolerances: some ten roundings of terms of the size of mu v^2.
+TEST(EnergyAccount, SettlingChangesTheKineticEnergyByTheAccount) {
+  const EnergyAccount account(2.0, 0.5);
+  const double load = 0.8, speed = 3.0 + 0.25 * load;
+  for (const double r : {-4.0, 0.0, 4.0}) {
+    double force = 0.3;
+    EXPECT_TRUE(account.settle({1.0, 3.0, 0.0}, load, r, force));
+    const double settled = speed + 0.5 * force / 2.0;
+    EXPECT_NEAR(speed * speed - settled * settled, r, 20.0 * eps * speed * speed);
+  }
+}
+
+TEST(EnergyAccount, SettlingKeepsHalfTheSpeedThatTheForceWouldLeave) {
+  const EnergyAccount account(2.0, 0.5);
+  const double speed = 3.0, force = -4.0, half = 0.5 * (speed + 0.5 * force / 2.0);
+  const double most = speed * speed - half * half;  // energy above that of half the speed
+  for (const double part : {0.999, 1.001, 10.0}) {
+    double settled = force;
+    EXPECT_EQ(account.settle({1.0, speed, 0.0}, 0.0, part * most, settled), part < 1.0);
+    if (part > 1.0) {
+      EXPECT_NEAR(speed + 0.5 * settled / 2.0, half, 10.0 * eps * speed);
+    }
+  }
+}
+
+TEST(EnergyAccount, SettlingStopsAPairThatTheForceWouldTurnBack) {
+  const EnergyAccount account(2.0, 0.5);
+  for (const double part : {0.999, 1.001}) {
+    double force = -20.0;
+    EXPECT_EQ(account.settle({1.0, 3.0, 0.0}, 0.0, part * 9.0, force), part < 1.0);
+    if (part > 1.0) {
+      EXPECT_NEAR(3.0 + 0.5 * force / 2.0, 0.0, 30.0 * eps);
+    }
+  }
+}
+
+TEST(EnergyAccount, APairThatComesBackKeepsItsForce) {
+  const EnergyAccount account(2.0, 0.5);
+  for (const double rate : {-3.0, -0.2, 0.0}) {  // half a step under the load turns none of them
+    double force = 0.3;
+    EXPECT_FALSE(account.settle({1.0, rate, 0.0}, rate < 0.0 ? 0.4 : 0.0, 1.0, force));
+    EXPECT_EQ(force, 0.3);
+  }
+}
+
+// Open: R above 1e-9 mu v^2, or a force that changes the momentum by more than 1e-9 of it in a
+// step. Rounding of the distance adds 4 eps/(dt v) = 6e-16 to the 1e-9.
+TEST(EnergyAccount, IsOpenAboveABillionthOfTheMotion) {
+  const EnergyAccount account(2.0, 0.5);
+  const double rate = 3.0, least = 1e-9 * 2.0 * rate;
+  for (const double sign : {-1.0, 1.0})
+    for (const double part : {0.999, 1.001}) {
+      const StaggeredMotion now{1.0, sign * rate, 0.0};
+      EXPECT_EQ(account.is_open(now, sign * part * least * rate, ContactState{}), part > 1.0);
+      ContactState pushed, before;
+      pushed.force = sign * part * least / 0.5;
+      before.force_before = pushed.force;
+      EXPECT_EQ(account.is_open(now, 0.0, pushed), part > 1.0);
+      EXPECT_EQ(account.is_open(now, 0.0, before), part > 1.0);
+    }
+}
+
+TEST(EnergyAccount, IsClosedWithinTheRoundingOfTheDistance) {
+  const EnergyAccount account(2.0, 0.5);
+  const double distance = 7.0, least = 2.0 * 4.0 * eps * distance / 0.5;
+  for (const double part : {0.999, 1.001}) {
+    ContactState state;
+    state.force = part * least / 0.5;
+    EXPECT_EQ(account.is_open({distance, 0.0, 0.0}, 0.0, state), part > 1.0);
+  }
+}
+
 }  // namespace cohesion::contact_solver

@@ -50,6 +50,22 @@ TEST(RandomArray, KeepsTheSizesOfAMixture) {
                 (array.spheres[i].radius + array.spheres[j].radius) * (1.0 - 1e-10));
 }
 
+// Its edge is a whole number of nodes, n: d_32 is off by half a node in n at most.
+TEST(RandomArray, HasTheSauterMeanAskedForInAnyUnitOfDiameters) {
+  for (const double unit : {1.0, 3.0}) {
+    std::vector<double> diameters(64, unit);
+    for (int i = 0; i < 8; i++) diameters[i] = 2.0 * unit;
+    const Array array = random_array({0.3, diameters, 3, 5.0}, 12.0);
+    double squares = 0.0, cubes = 0.0;
+    for (const FixedSphere& s : array.spheres) {
+      squares += std::pow(2.0 * s.radius, 2);
+      cubes += std::pow(2.0 * s.radius, 3);
+    }
+    EXPECT_NEAR(cubes / squares, 12.0, 12.0 * 0.5 / (array.nodes[0] - 0.5));
+    EXPECT_NEAR(sauter_mean(array), cubes / squares, 1e-13);
+  }
+}
+
 TEST(RandomArray, IsAnotherOneWithAnotherSeedAndTheSameWithTheSame) {
   const auto of = [](unsigned seed) {
     return random_array({0.3, std::vector<double>(20, 1.0), seed, 5.0}, 8.0).spheres[11].centre;

@@ -49,6 +49,22 @@ TEST(SteadyDrag, ForcesBalance) {
   }
 }
 
+// Of a flow on its way: what the spheres do not hold of the force goes into the momentum of the
+// fluid, of density 1. Rounding: some 1e-16 of the populations, 1/3, over what a step adds, 1e-6.
+TEST(SteadyDrag, BalanceIsTheGrowthOfTheMomentum) {
+  const double force = 1e-6;
+  const Array array = cubic_array(sc, 0.3, 8.0);
+  DrivenFlow driven(array, slow(0.3, force), one_by_one);
+  for (const int steps : {1, 5, 20}) {
+    const double before = driven.speed();
+    const SteadyDrag drag = driven.measured(steps);
+    const double fluid = static_cast<double>(driven.walls().fluid_nodes());
+    const double grown = volume(array) * (drag.superficial[0] - before) / steps;
+    EXPECT_NEAR(drag.balance, grown / (force * fluid), 1e-9) << steps;
+    EXPECT_GT(drag.balance, 0.01) << steps;
+  }
+}
+
 // With the constant of the two relaxation times fixed, slow flow is the same at any viscosity: 0.1
 // % is asked.
 TEST(SteadyDrag, DoesNotDependOnTheRelaxationTime) {
@@ -129,9 +145,59 @@ TEST(SteadyDrag, AverageOfASteadyFlowIsItsDrag) {
     EXPECT_NEAR(drag_on(mean, array, settings, s) / drag_on(steady, array, settings, s), 1.0, 1e-7);
 }
 
+// The drag on the spheres together is the force on the nodes in fluid; mean_drag() has the volume
+// outside of the spheres in their place. 1e-8: the tolerance of the flow.
+TEST(SteadyDrag, MeanIsThatOfTheSpheresButForTheNodes) {
+  const Array array = cubic_array(bcc, 0.3, 8.0);
+  const FlowSettings settings = slow(0.3, 1e-6, {0.0, 0.6, 0.8});
+  DrivenFlow driven(array, settings, one_by_one);
+  const SteadyDrag drag = steady_drag(driven, settings);
+  double sum = 0.0;
+  for (std::size_t s = 0; s < array.spheres.size(); s++) sum += drag_on(drag, array, settings, s);
+  const double outside = (1.0 - solid_fraction(array)) * volume(array);
+  const double fluid = static_cast<double>(driven.walls().fluid_nodes());
+  EXPECT_NEAR(sum / 2.0 / (mean_drag(drag, array, settings) * fluid / outside), 1.0, 1e-8);
+}
+
+// Of a flow that is led to a speed, whose force changes from tenth to tenth.
+TEST(SteadyDrag, AverageIsTheMeanOfTenthsAndItsSwingTheirStandardError) {
+  const Array array = cubic_array(sc, 0.3, 8.0);
+  FlowSettings settings = slow(0.05, 1e-7);
+  settings.speed = 0.01;
+  DrivenFlow once(array, settings, one_by_one), again(array, settings, one_by_one);
+  const SteadyDrag mean = average_drag(once, 200, {});
+  double force = 0.0, squares = 0.0, drag = 0.0, speed = 0.0, balance = 0.0;
+  for (int part = 0; part < 10; part++) {
+    const SteadyDrag tenth = again.measured(20);
+    force += tenth.body_force[0] / 10.0;
+    squares += tenth.body_force[0] * tenth.body_force[0] / 10.0;
+    drag += tenth.forces[0][0] / 10.0;
+    speed += tenth.superficial[0] / 10.0;
+    balance = std::max(balance, tenth.balance);
+  }
+  EXPECT_NEAR(mean.body_force[0] / force, 1.0, 1e-14);
+  EXPECT_NEAR(mean.forces[0][0] / drag, 1.0, 1e-13);
+  EXPECT_NEAR(mean.superficial[0] / speed, 1.0, 1e-13);
+  EXPECT_EQ(mean.balance, balance);
+  const double error = std::sqrt((squares - force * force) / 9.0);
+  EXPECT_NEAR(mean.swing, error / force, 1e-10 * mean.swing);
+  EXPECT_GT(mean.swing, 0.01);
+}
+
+TEST(SteadyDrag, TheDensestArrayAndTheSmallestSpheresArePossible) {
+  for (const CubicArray& kind : cubic_arrays) {
+    // Where neighbours touch: 1/2, sqrt(3)/4 and sqrt(2)/4 of the edge.
+    const Array array = cubic_array(kind, kind.densest, 4.0);
+    const double touching[] = {0.5, std::sqrt(3.0) / 4.0, std::sqrt(2.0) / 4.0};
+    EXPECT_NEAR(array.spheres[0].radius / array.nodes[0], touching[&kind - cubic_arrays.data()],
+                1e-8)
+        << kind.name;
+  }
+}
+
 TEST(SteadyDrag, WhatCannotBeIsRefused) {
   EXPECT_THROW(cubic_array(sc, 0.6, 12.0), InvalidParameter);
-  EXPECT_THROW(cubic_array(fcc, 0.3, 2.0), InvalidParameter);
+  EXPECT_THROW(cubic_array(fcc, 0.3, 3.99), InvalidParameter);
   EXPECT_THROW(steady_drag(cubic_array(sc, 0.3, 8.0), slow(0.0)), InvalidParameter);
   FlowSettings short_run = slow(0.1);
   short_run.most_steps = 100;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "constants.h"
+#include "refuses.h"
 
 namespace cohesion::lattice_boltzmann {
 
@@ -88,7 +89,10 @@ TEST(Walls, RunsAreTheNodesOfTheFluid) {
 
 TEST(Walls, WhatDoesNotFitIsRefused) {
   EXPECT_THROW(Grid({3, 8, 8}), InvalidParameter);
-  EXPECT_THROW(Walls(Grid({8, 8, 8}), {{{4.0, 4.0, 4.0}, 4.5}}), InvalidParameter);
+  EXPECT_NO_THROW(Grid({4, 4, 4}));
+  expect_refused([] { Walls(Grid({8, 8, 8}), {{{4.0, 4.0, 4.0}, 4.5}}); },
+                 "diameter of a sphere = 9");
+  EXPECT_NO_THROW(Walls(Grid({8, 8, 8}), {{{4.0, 4.0, 4.0}, 4.0}}));
   EXPECT_THROW(Walls(Grid({8, 8, 8}), {{{4.0, 4.0, 4.0}, 0.0}}), InvalidParameter);
 }
 
