@@ -34,8 +34,8 @@ class Continued(unittest.TestCase):
         """Places, velocities and spins; first: of the script, to the particles."""
         style, words, _, dt = case
         engine.run_text(f"plugin load ${{plugin}}\n{first}neighbor 1e-4 bin\nfix wall all wall/gran/{style} "
-                        f"{words} xplane -9e-3 NULL\nfix move all nve/sphere\ntimestep {dt}\n{run}\nwrite_dump all custom "
-                        f"{name} id x y z vx vy vz omegax omegay omegaz modify sort id format float %.17g\n",
+                        f"{words} xplane -9e-3 NULL\nfix move all nve/sphere\ntimestep {dt}\n{run}\nwrite_dump all "
+                        f"custom {name} id x y z vx vy vz omegax omegay omegaz modify sort id format float %.17g\n",
                         folder, ranks=ranks)
         return numpy.array(engine.dump(folder, name))[:, 1:].reshape(-1, 3, 3)
 
