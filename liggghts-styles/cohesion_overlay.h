@@ -20,6 +20,7 @@
 #include "fix_contact_advice.h"
 #include "fix_energy_tally.h"
 #include "fix_partner_ids.h"
+#include "fix_restart_contacts.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "hidden_fix.h"
@@ -105,7 +106,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     choose_scheme(registry.max_type());
     attraction_.connect(registry, *normal_);
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
-    if (!wall_) Cohesion::hidden_fix<Cohesion::FixPartnerIds>(lmp);
+    if (!wall_) {
+      Cohesion::hidden_fix<Cohesion::FixPartnerIds>(lmp);
+      Cohesion::hidden_fix<Cohesion::FixRestartContacts>(lmp);
+    }
     connect_tally();
     Cohesion::ContactRange range = attraction_.range();
     if (exact_) {

@@ -55,6 +55,7 @@ void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
   for (const auto& asked : asked_)
     if (asked.lock() == advice) return;
   asked_.push_back(advice);
+  advice->continue_from(printed_[advice->name()]);
 }
 
 /// Walls of which there is the same to say are named together.

@@ -2,6 +2,7 @@
 #ifndef COHESION_FIX_CONTACT_ADVICE_H
 #define COHESION_FIX_CONTACT_ADVICE_H
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -65,6 +66,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
 
   LiggghtsWatch changes_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
+  std::map<std::string, std::shared_ptr<cohesion::advice::WarningFilter>> printed_;  // by its name
   std::vector<std::shared_ptr<LateWarning>> late_;
   std::optional<IntegratedParticles> held_;  // as the run began
   bool warned_of_unturned_ = false, warned_of_held_ = false, warned_of_partly_held_ = false;

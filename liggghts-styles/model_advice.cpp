@@ -116,7 +116,7 @@ advice::Report ContactAdvice::report(const advice::RunConditions& now) {
     const std::vector<advice::AdvisedContact> all = contacts(now);
     const advice::SchemeLimits& limits =
         exact_ ? advice::exact_scheme_one_pass : advice::sampled_scheme;
-    return warning_filter_.only_new(advice::report(who(WALLS), limits, all, now.run), all, now);
+    return warning_filter_->only_new(advice::report(who(WALLS), limits, all, now.run), all, now);
   });
 }
 

@@ -3,6 +3,7 @@
 #define COHESION_MODEL_ADVICE_H
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -55,10 +56,17 @@ class ContactAdvice {
   std::string wall() const;
   /// Under scheme exact; else sampled. What was said of the other holds no more.
   void set_exact(bool exact) {
-    if (exact != exact_) warning_filter_ = {};
+    if (exact != exact_) *warning_filter_ = {};
     exact_ = exact;
   }
   bool is_exact() const { return exact_; }
+  /// The same for a model or wall that the script defines again.
+  std::string name() const { return model_ + (exact_ ? " exact " : " sampled ") + wall(); }
+  /// Repeats nothing that the one of this name has printed; null: there was none.
+  void continue_from(std::shared_ptr<cohesion::advice::WarningFilter>& printed) {
+    if (printed) warning_filter_ = printed;
+    printed = warning_filter_;
+  }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.
   bool has_friction(int type) const;
@@ -78,7 +86,8 @@ class ContactAdvice {
   Adhesion adhesion_;
   ContactLaw contact_law_;
   bool exact_ = false;
-  cohesion::advice::WarningFilter warning_filter_;
+  std::shared_ptr<cohesion::advice::WarningFilter> warning_filter_ =
+      std::make_shared<cohesion::advice::WarningFilter>();
 };
 
 }  // namespace Cohesion

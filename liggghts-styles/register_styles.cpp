@@ -25,6 +25,7 @@
 #include "fix_contact_advice.h"
 #include "fix_energy_tally.h"
 #include "fix_partner_ids.h"
+#include "fix_restart_contacts.h"
 #include "lammps.h"
 #include "modify.h"
 #include "unknown_models.h"
@@ -81,6 +82,7 @@ void register_styles(LAMMPS* lmp) {
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
   fixes[FixEnergyTally::STYLE] = &make_fix<FixEnergyTally>;
   fixes[FixPartnerIds::STYLE] = &make_fix<FixPartnerIds>;
+  fixes[FixRestartContacts::STYLE] = &make_fix<FixRestartContacts>;
   fixes[FixAccelerations::STYLE] = &make_fix<FixAccelerations>;
   Computes& computes = *computes_of(*lmp->modify);
   computes["gran/energy"] = &make_compute<ComputeGranularEnergy>;

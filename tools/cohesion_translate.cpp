@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -192,7 +193,9 @@ void run(const TranslateRequest& r) {
   ScriptWarnings warnings(script, conditions);
   warnings.check_script();
   const std::vector<ContactPairOfTypes> contacts = contacts_of(script);
+  std::set<std::string> evaluated;  // a wall may be defined again
   for (const ContactPairOfTypes& contact : contacts) {
+    if (!evaluated.insert(contact.title + contact.model->words()).second) continue;
     report(contact);
     warnings.check_contact(contact);
   }
@@ -202,8 +205,8 @@ void run(const TranslateRequest& r) {
   refuse_to_replace(reader.files(), r.write[1]);
   TranslatedScript translated(r.script, script, translation_of(r, script));
   for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
-  warn(translated.warnings());
   translated.write(r.write[1]);
+  warn(translated.warnings());
   std::cerr << "cohesion-translate: wrote " << r.write[1]
             << "; run it with liggghts-cohesion, and check its strength with cohesion-translate\n";
 }

@@ -26,6 +26,14 @@ struct GranularModel {
     const std::size_t at = where.find(keyword);
     return where.has(at + 1) && where.words[at + 1] == "on";
   }
+  /// The same for models of the same names and switches.
+  std::string words() const {
+    std::string all = normal + ' ' + cohesion;
+    for (std::size_t k = 1; k < where.words.size(); k++)
+      if (where.words[k] == "on" || where.words[k] == "off")
+        all += ' ' + where.words[k - 1] + ' ' + where.words[k];
+    return all;
+  }
 };
 
 struct WallOfScript {
@@ -98,6 +106,7 @@ class ScriptCase {
  public:
   explicit ScriptCase(const std::vector<ScriptCommand>& commands) {
     for (const ScriptCommand& command : commands) read(command);
+    note_second_mesh_wall();
     for (const ScriptCommand& command : set_commands_) read_set(command);
     for (const int type : template_types()) grains_.emplace(type, grains_of_templates(type));
   }
@@ -106,6 +115,8 @@ class ScriptCase {
   const std::string& unit_name() const { return units_; }
   const std::optional<GranularModel>& pairs() const { return pairs_; }
   const std::vector<WallOfScript>& walls() const { return walls_; }
+  /// Of walls that are there in the same run: the engine allows one of meshes.
+  const std::vector<ScriptCommand>& second_mesh_walls() const { return second_mesh_walls_; }
   const std::map<int, Grains>& grains() const { return grains_; }
   std::set<int> wall_types() const {
     std::set<int> types;
@@ -148,6 +159,19 @@ class ScriptCase {
     if (name == "set") set_commands_.push_back(c);
     if (name == "pair_style") read_pair_style(c);
     if (name == "fix" && c.has(3)) read_fix(c, c.words[3]);
+    if (name == "unfix" && c.has(1)) remove_mesh_wall(c.words[1]);
+    if (name == "run") note_second_mesh_wall();
+  }
+
+  void remove_mesh_wall(const std::string& id) {
+    mesh_walls_.erase(std::remove_if(mesh_walls_.begin(), mesh_walls_.end(),
+                                     [&](const ScriptCommand& c) { return c.words[1] == id; }),
+                      mesh_walls_.end());
+  }
+  void note_second_mesh_wall() {
+    if (mesh_walls_.size() < 2) return;
+    second_mesh_walls_.push_back(mesh_walls_[1]);
+    mesh_walls_.resize(1);
   }
 
   void read_pair_style(const ScriptCommand& c) {
@@ -202,6 +226,8 @@ class ScriptCase {
     const std::size_t meshes = c.find("meshes"), count = c.find("n_meshes");
     if (!c.has(meshes)) c.fail("has neither 'primitive' nor 'meshes': add the kind of the wall");
     if (!c.has(count)) c.fail("has 'meshes' without 'n_meshes': add 'n_meshes' and their number");
+    remove_mesh_wall(c.words[1]);
+    mesh_walls_.push_back(c);
     const int number = c.integer(count + 1, "the number of meshes");
     for (int k = 1; k <= number; k++) {
       const std::string& id = c.word(meshes + static_cast<std::size_t>(k), "the ID of a mesh");
@@ -355,6 +381,7 @@ class ScriptCase {
   std::string units_ = "lj";
   std::optional<GranularModel> pairs_;
   std::vector<WallOfScript> walls_;
+  std::vector<ScriptCommand> mesh_walls_, second_mesh_walls_;  // first: those that are there
   std::map<std::string, ScriptProperty> properties_;
   std::map<std::string, int> mesh_types_;
   std::map<std::string, Template> templates_;

@@ -94,7 +94,7 @@ class TranslatedScript {
 
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  void write(const std::string& target) const {
+  void write(const std::string& target) {
     if (models_.empty())
       throw std::runtime_error(file_ + ": has no cohesion sjkr or sjkr2 to translate");
     Lines lines = lines_of(file_);
@@ -105,6 +105,7 @@ class TranslatedScript {
     for (const GranularModel* model : models_)
       if (changed.insert(model->where.line).second)
         replace(lines, model->where, with_law(model->where, joined(lines, model->where)));
+    warn_of_variables(density, joined(lines, density));
     replace(lines, density, properties(density));
     std::ofstream stream(target);
     for (const std::optional<std::string>& line : lines)
@@ -127,6 +128,18 @@ class TranslatedScript {
                         translation_.law +
                         " does not reduce friction: check the friction "
                         "coefficients");
+  }
+
+  /// Of those that had the energy densities in `text`.
+  void warn_of_variables(const ScriptCommand& density, const std::string& text) {
+    static const std::regex variable(R"(\$(?:\{(\w+)\}|(\w)))");
+    std::set<std::string> names;
+    for (std::sregex_iterator at(text.begin(), text.end(), variable), end; at != end; ++at)
+      names.insert((*at)[1].str() + (*at)[2].str());
+    for (const std::string& name : names)
+      warnings_.push_back(density.place() + ": the script that is written has " + property() +
+                          " in numbers, for this value of the variable '" + name +
+                          "': translate again with '--var " + name + " VALUE' for another");
   }
 
   const char* property() const {

@@ -29,6 +29,10 @@ class ScriptWarnings {
     for (const CohesionOfScript& c : cohesions_of_scripts) check_use(c);
     if (script_.pairs()) check_scaling(*script_.pairs());
     for (const WallOfScript& wall : script_.walls()) check_scaling(wall.model);
+    for (const ScriptCommand& second : script_.second_mesh_walls())
+      add(second,
+          "LIGGGHTS stops at a second 'fix wall/gran ... mesh': list the meshes of both in "
+          "one, as in 'n_meshes 2 meshes A B'");
     for (const WallOfScript& wall : script_.walls())
       if (script_.pairs() && wall.model.cohesion != script_.pairs()->cohesion)
         add(wall.model.where, "wall '" + wall.id + "' has cohesion " + wall.model.cohesion +

@@ -190,7 +190,7 @@ inline Finding rounding(const ContactNumbers& n, const SchemeLimits& limits) {
 }
 
 /// The overlap falls as stiffness^(-1/power) of a linear spring, and as E*^(-1/(power + 1/2)) of
-/// Hertz's contact.
+/// Hertz's contact. The contact time of an impact falls as stiffness^(-1/2) and as E*^(-2/5).
 inline Finding overlap(Subject subject, const char* name, double over_diameter,
                        const PairParameters& pair, double power) {
   std::string sentence = text(name, " is ", 100.0 * over_diameter, " % of the diameter");
@@ -199,11 +199,13 @@ inline Finding overlap(Subject subject, const char* name, double over_diameter,
   if (fatal) sentence += ", so far that particles pass through walls";
   const double excess = over_diameter / overlap_for_warning;
   const std::string aim = text(": for ", 100.0 * overlap_for_warning, " % ");
-  const std::string cure = pair.is_linear ? text("raise the stiffness to about ",
-                                                 pair.stiffness * std::pow(excess, power))
-                                          : text("raise Young's modulus to up to ",
-                                                 std::pow(excess, power + 0.5), " times its value");
-  return {subject, fatal ? Severity::error : Severity::warning, sentence + aim + cure};
+  const double factor = std::pow(excess, pair.is_linear ? power : power + 0.5);
+  const std::string cure =
+      pair.is_linear ? text("raise the stiffness to about ", pair.stiffness * factor)
+                     : text("raise Young's modulus to up to ", factor, " times its value");
+  const double dt = pair.dt * std::pow(factor, pair.is_linear ? -0.5 : -0.4);
+  const std::string step = text("; for as many steps per contact, lower the time step to ", dt);
+  return {subject, fatal ? Severity::error : Severity::warning, sentence + aim + cure + step};
 }
 
 }  // namespace detail

@@ -135,6 +135,17 @@ fix pdd all particledistribution/discrete 15485867 1 pts 1.0
         self.assertEqual(run.output.count("what to expect"), 1)
         self.assertEqual(run.output.count("left to chance"), 1)
 
+    def test_walls_and_pairs_that_are_defined_again_repeat_nothing(self):
+        models = LINEAR + " scheme sampled"
+        wall = "fix wall0 all wall/gran %s primitive type 2 xplane %s scheme sampled\n"
+        again = (f"unfix wall0\n{wall % (LINEAR, '-6e-3')}pair_style gran {models}\npair_coeff * *\n")
+        first, both = (go(models, hamaker(A, cut=CUT, out=OUT), walls=[wall % (LINEAR, "-5e-3")],
+                          run=f"run 1\n{then}run 1\n")
+                       for then in ("", again))
+        self.assertEqual(both.output.count("what to expect"), 2)  # of pairs, and of the wall
+        self.assertGreater(first.output.count("WARNING: cohesion"), 0)
+        self.assertEqual(both.output.count("WARNING: cohesion"), first.output.count("WARNING: cohesion"))
+
     def test_another_step_is_told(self):
         for step, said in ((1.1 * DT, 2), (DT / 1.5, 1), (DT / 3, 2)):  # shorter: beyond a factor of two
             run = go(LINEAR, hamaker(A, cut=CUT, out=OUT), run=f"run 1\ntimestep {step}\nrun 1\n")

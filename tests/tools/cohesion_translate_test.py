@@ -234,6 +234,35 @@ class Script(Translated):
         found, _ = self.contacts(script, "--var", "D", "2e-3")
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS))
 
+    MESHES = ("fix cad all mesh/surface file x.stl type 2\nfix lid all mesh/surface/stress file y.stl type 2\n"
+              "fix w all wall/gran model hertz tangential history cohesion sjkr mesh n_meshes {}\n")
+    PLATE = "fix plate all wall/gran model hertz tangential history cohesion sjkr primitive type 2 zplane 0\n"
+
+    def test_a_wall_that_is_defined_again_is_printed_once(self):
+        again = "run 1\nunfix w\n" + self.MESHES.format("1 meshes cad").splitlines()[-1] + "\nrun 1\n"
+        script = self.changed((self.PLATE, self.MESHES.format("2 meshes cad lid"))) + again
+        code, output, error = self.call(script)
+        self.assertEqual(code, 0, error)
+        self.assertEqual([output.count(f"wall '{name}'") for name in ("cad", "lid")], [1, 1])
+        self.assertNotIn("second", error)
+        # Both lines are translated.
+        self.assertEqual(self.call(script, "--write", "equal-force", self.folder / "out.case")[0], 0)
+        text = (self.folder / "out.case").read_text()
+        self.assertEqual((text.count("cohesion hamaker mesh"), text.count("sjkr mesh")), (2, 0))
+        # A switch that differs is another contact.
+        code, output, _ = self.call(script.replace("1 meshes cad", "1 meshes cad tangential_reduce on"))
+        self.assertEqual(output.count("wall 'cad'"), 2)
+
+    def test_two_walls_of_meshes_are_warned_of(self):
+        walls = self.MESHES.format("1 meshes cad")
+        second = walls.splitlines()[-1].replace("fix w ", "fix v ").replace("meshes cad", "meshes lid") + "\n"
+        _, error = self.contacts(self.changed((self.PLATE, walls + second)) + "run 1\n")
+        self.assertEqual(error.count("in.case:13: LIGGGHTS stops at a second 'fix wall/gran ... mesh'"), 1)
+        for between in ("unfix w\n", ""):
+            script = self.changed((self.PLATE, walls + between + (second if between else "")))
+            self.assertNotIn("second", self.contacts(script + "run 1\n")[1])
+            self.assertNotIn("second", self.contacts(script.replace(walls, walls + self.PLATE) + "run 1\n")[1])
+
     def test_expressions(self):
         script = self.changed(("variable R index 5e-4",
                                "variable a equal 2^3*-1+9.5-(3-2)/2*2\nvariable R equal v_a*1e-3"))
@@ -360,6 +389,16 @@ class Written(Translated):
                 self.assertIn(line, lines)
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
+
+    def test_a_variable_that_has_no_effect_any_more_is_warned_of(self):
+        script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("    1e5 0", "    1e5 $z"),
+                              ("# own case", "variable k index 2e5\nvariable z index 0"))
+        text, error = self.written(script, "--write", "equal-force")
+        self.assertIn("in.case:8: the script that is written has hamakerConstant in numbers, for this value of the "
+                      "variable 'k': translate again with '--var k VALUE' for another", error)
+        self.assertIn("variable 'z'", error)
+        self.assertNotIn("variable 'R'", error)
+        self.assertNotIn("in numbers", self.written(SCRIPT, "--write", "equal-force")[1])
 
     def test_blank_lines_of_a_script_with_carriage_returns_stay(self):
         script = self.changed(("units si\n", "units si\n\n\n"))

@@ -130,8 +130,15 @@ TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
   p.speed = speed_for(0.0099);
   expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::ok, "0.99 % of the diameter");
   p.speed = speed_for(0.1);
-  // Ten times 1 %: a hundred times the stiffness.
+  // Ten times 1 %: a hundred times the stiffness, and a tenth of the step.
   expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::warning, "to about 8e+04");
+  p.dt = 2e-6;
+  expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::warning,
+                 "lower the time step to 2e-07");
+  p.is_linear = false;
+  expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::warning,
+                 "to up to 316 times its value; for as many steps per contact, lower the time step "
+                 "to 2e-07");
   p.speed = speed_for(0.501);
   expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::error, "through walls");
 }
