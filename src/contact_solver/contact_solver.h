@@ -75,8 +75,7 @@ class ContactSolver : public PairCourse {
     const double last_force = ContactState::force_of(values);
     const double load = load_of(now.rate, last_rate, last_force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
-    if (!by_law->advance_slack(point, load, now.centrifugal, last_rate, last_force, step))
-      return false;
+    if (!by_law->advance_slack(point, load, now, last_rate, last_force, step)) return false;
     ContactState state = ContactState::stored(values);
     go_on(now.rate, load - now.centrifugal, step, state);
     state.store_persistent(values);
@@ -281,7 +280,7 @@ class ContactSolver : public PairCourse {
     const double load = load_of(now.rate, state.last_rate, state.force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
     if constexpr (std::is_same_v<Contact, LinearContact>) {
-      if (!by_law.advance_persistent(point, load, now.centrifugal, state, result)) return false;
+      if (!by_law.advance_persistent(point, load, now, state, result)) return false;
     } else if (!by_law.advance_persistent(point, load, now.centrifugal, state,
                                           adhesion_energy(point.overlap), result)) {
       return false;

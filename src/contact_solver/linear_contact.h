@@ -36,7 +36,8 @@ namespace cohesion::contact_solver {
 /// Of its energy account (energy_account.h): while the contact is persistent, R has besides the
 /// energy that the discrete spring stores; its dissipation is a quadratic form of two staggered
 /// rates. The forces act along the normals of their time levels. Where the pair turns with the
-/// centrifugal acceleration z, R also changes by (f_n - f_(n-1)) z dt^2/4. In a resolved step the
+/// centrifugal acceleration z, R also changes by (f_n - f_(n-1)) z dt^2/4 and a
+/// part of third order. In a resolved step the
 /// dashpot dissipates eta u^2 for the time of contact with the mean rate u of the step, which the
 /// particles have one step later: R changes by the difference then.
 ///
@@ -108,25 +109,26 @@ class LinearContact {
 
   /// The force of a contact that was in contact throughout the last step. False where it is not
   /// certain to be in contact until the next time level under the `load` [length/time^2] of the
-  /// last step, which contains `centrifugal`, or does not bear that load.
+  /// last step, or does not bear that load.
   [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
-                                                 double centrifugal, const ContactState& state,
+                                                 const DistanceMotion& at,
+                                                 const ContactState& state,
                                                  PersistentStep& step) const {
     const bool taut = is_taut(now.overlap, load);
     if (!force_of(now, taut, load, step)) return false;
     set_dissipated(state.last_rate, now.rate, step);
-    step.account += work_of_turning(step.force - state.force, centrifugal);
+    step.account += work_of_turning(step.force, state.force, at);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
     return true;
   }
   /// The same of a contact that is not taut, nor was in the last step; false where it is.
   /// last_rate, last_force: of its state.
   [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load,
-                                            double centrifugal, double last_rate, double last_force,
-                                            PersistentStep& step) const {
+                                            const DistanceMotion& at, double last_rate,
+                                            double last_force, PersistentStep& step) const {
     if (is_taut(now.overlap, load) || !force_of(now, false, load, step)) return false;
     set_dissipated(last_rate, now.rate, step);
-    step.account += work_of_turning(step.force - last_force, centrifugal);
+    step.account += work_of_turning(step.force, last_force, at);
     return true;
   }
   /// The same in the first step after a resolved one.
@@ -151,11 +153,14 @@ class LinearContact {
   double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
                  double /*adhesion_energy*/) const {
     const bool taut = was_taut(state);
+    const double begins = force(now, taut);
+    const DistanceMotion motion =
+        DistanceMotion::of_pair(at.distance, 1.0 / at.distance, at.rate,
+                                at.rate * at.rate + at.sideways * at.sideways, whole_step_.time);
     return state.account + dissipated(state.last_rate, now.rate) +
-           (taut ? work_beyond_stored(now, taut, taut) : 0.0) -
-           spring_potential(now.overlap, taut) -
-           0.5 * whole_step_.time * force(now, taut) * now.rate -
-           work_of_turning(state.force, at.sideways * at.sideways / at.distance);
+           (taut ? work_beyond_stored(now, taut, taut) : 0.0) +
+           work_of_turning(begins, state.force, motion) - spring_potential(now.overlap, taut) -
+           0.5 * whole_step_.time * begins * at.rate;
   }
   /// What the dashpot of a persistent contact has dissipated since the last time level, [energy].
   double dissipation(const ContactPoint& now, const StaggeredMotion&, const ContactState& state,
@@ -265,10 +270,13 @@ class LinearContact {
     s = end;
   }
 
-  /// The work of a force at the end of a step on a pair that turns, less its work on the distance;
-  /// for a force at the beginning it has the other sign.
-  [[gnu::always_inline]] double work_of_turning(double force, double centrifugal) const {
-    return 0.25 * whole_step_.time * whole_step_.time * force * centrifugal;
+  /// The work of the forces of this and the last time level in the step between them, which act
+  /// along the normals there, less their work on the distance, [energy].
+  [[gnu::always_inline]] double work_of_turning(double force, double last_force,
+                                                const DistanceMotion& at) const {
+    const double dt = whole_step_.time, change = dt * at.rate * at.inverse;
+    return 0.25 * dt * dt * at.centrifugal *
+           (force - last_force + change * (force - 2.0 * last_force));
   }
   /// The dissipation in closed form from one time level to the next of a persistent contact, less
   /// the work of the discrete dashpot, from the mean rates before and after the first one. R
