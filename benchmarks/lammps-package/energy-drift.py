@@ -15,8 +15,9 @@ the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew
 With `--heating`: what the dense gases gain per collision, from the third to the last fifth of 20
 collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
 
-With `--damped`: dense gases of damped contacts, from a lattice: kinetic energy after 14 collisions over that of the start, at t_c/80, and how much more is left at longer
-steps, over what has been lost; mean and standard error of 16 gases (--gases).
+With `--damped`: dense gases of damped contacts, from a lattice: total energy after 14 collisions over the kinetic
+energy of the start, at t_c/80, and how much more is left at longer steps, over what has been lost; mean and standard
+error of 16 gases (--gases).
 
 With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its standard error, and root mean square.
 """
@@ -76,7 +77,7 @@ def heating(gas, engine, seeds=16, divisions=(4, 5, 10, 20)):
 def damped(gas, engine, law, seeds):
     contacts, cases = (DAMPED, CASES[1::2]) if law == "linear" else (HERTZIAN, hertzian_laws.gases(law, 0.5))
     progress = Progress(len(cases) * seeds * sum(division + gas.FINEST for _, division in contacts))
-    print(f"\rsolid fraction 0.5: kinetic energy that is left at t_c/{gas.FINEST}, and more at longer steps, over what is lost")
+    print(f"\rsolid fraction 0.5: energy that is left at t_c/{gas.FINEST}, and more at longer steps, over what is lost")
     for phi, constant, speed in cases:
         time = gas.contact_time(law, speed)
         for restitution, division in contacts:

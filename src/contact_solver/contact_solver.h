@@ -72,9 +72,10 @@ class ContactSolver : public PairCourse {
     const auto* const by_law = std::get_if<LinearContact>(&contact());
     if (!by_law) __builtin_unreachable();
     const double last_rate = ContactState::last_rate_of(values);
-    const double load = load_of(now.rate, last_rate, ContactState::force_of(values));
+    const double last_force = ContactState::force_of(values);
+    const double load = load_of(now.rate, last_rate, last_force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
-    if (!by_law->advance_slack(point, load, last_rate, step)) return false;
+    if (!by_law->advance_slack(point, load, now, last_rate, last_force, step)) return false;
     ContactState state = ContactState::stored(values);
     go_on(now.rate, load - now.centrifugal, step, state);
     state.store_persistent(values);
@@ -279,7 +280,7 @@ class ContactSolver : public PairCourse {
     const double load = load_of(now.rate, state.last_rate, state.force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
     if constexpr (std::is_same_v<Contact, LinearContact>) {
-      if (!by_law.advance_persistent(point, load, state, result)) return false;
+      if (!by_law.advance_persistent(point, load, now, state, result)) return false;
     } else if (!by_law.advance_persistent(point, load, now.centrifugal, state,
                                           adhesion_energy(point.overlap), result)) {
       return false;

@@ -35,8 +35,11 @@ namespace cohesion::contact_solver {
 ///
 /// Of its energy account (energy_account.h): while the contact is persistent, R has besides the
 /// energy that the discrete spring stores; its dissipation is a quadratic form of two staggered
-/// rates. In a resolved step the dashpot dissipates eta u^2 for the time of contact with the mean
-/// rate u of the step, which the particles have one step later: R changes by the difference then.
+/// rates. The forces act along the normals of their time levels. Where the pair turns with the
+/// centrifugal acceleration z, R also changes by (f_n - f_(n-1)) z dt^2/4 and a
+/// part of third order. In a resolved step the
+/// dashpot dissipates eta u^2 for the time of contact with the mean rate u of the step, which the
+/// particles have one step later: R changes by the difference then.
 ///
 /// Source: derived here, see docs/theory/exact_contacts.md.
 class LinearContact {
@@ -108,19 +111,24 @@ class LinearContact {
   /// certain to be in contact until the next time level under the `load` [length/time^2] of the
   /// last step, or does not bear that load.
   [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
+                                                 const DistanceMotion& at,
                                                  const ContactState& state,
                                                  PersistentStep& step) const {
     const bool taut = is_taut(now.overlap, load);
     if (!force_of(now, taut, load, step)) return false;
     set_dissipated(state.last_rate, now.rate, step);
+    step.account += work_of_turning(step.force, state.force, at);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
     return true;
   }
   /// The same of a contact that is not taut, nor was in the last step; false where it is.
-  [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load, double last_rate,
-                                            PersistentStep& step) const {
+  /// last_rate, last_force: of its state.
+  [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load,
+                                            const DistanceMotion& at, double last_rate,
+                                            double last_force, PersistentStep& step) const {
     if (is_taut(now.overlap, load) || !force_of(now, false, load, step)) return false;
     set_dissipated(last_rate, now.rate, step);
+    step.account += work_of_turning(step.force, last_force, at);
     return true;
   }
   /// The same in the first step after a resolved one.
@@ -131,7 +139,8 @@ class LinearContact {
     const bool taut = is_taut(now.overlap, stands ? pull_ : load);
     const double borne = stands ? std::max(load, -force(now, taut) * inverse_mass_) : load;
     if (!force_of(now, taut, borne, step)) return false;
-    step.account = 0.5 * whole_step_.time * step.force * at.rate + stored(now, taut, at);
+    step.account =
+        0.5 * whole_step_.time * step.force * at.rate + spring_potential(now.overlap, taut);
     return true;
   }
   /// The part of spring and dashpot at a time level that a persistent contact has reached, [force].
@@ -144,9 +153,14 @@ class LinearContact {
   double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
                  double /*adhesion_energy*/) const {
     const bool taut = was_taut(state);
+    const double begins = force(now, taut);
+    const DistanceMotion motion =
+        DistanceMotion::of_pair(at.distance, 1.0 / at.distance, at.rate,
+                                at.rate * at.rate + at.sideways * at.sideways, whole_step_.time);
     return state.account + dissipated(state.last_rate, now.rate) +
-           (taut ? work_beyond_stored(now, taut, taut) : 0.0) - stored(now, taut, at) -
-           0.5 * whole_step_.time * force(now, taut) * at.rate;
+           (taut ? work_beyond_stored(now, taut, taut) : 0.0) +
+           work_of_turning(begins, state.force, motion) - spring_potential(now.overlap, taut) -
+           0.5 * whole_step_.time * begins * at.rate;
   }
   /// What the dashpot of a persistent contact has dissipated since the last time level, [energy].
   double dissipation(const ContactPoint& now, const StaggeredMotion&, const ContactState& state,
@@ -256,11 +270,13 @@ class LinearContact {
     s = end;
   }
 
-  /// The energy whose decrease is the work of a persistent contact, of turning pairs, too.
-  double stored(const ContactPoint& now, bool taut, const StaggeredMotion& at) const {
-    const double across = whole_step_.time * at.sideways;
-    return spring_potential(now.overlap, taut) -
-           0.25 * force(now, taut) * across * across / at.distance;
+  /// The work of the forces of this and the last time level in the step between them, which act
+  /// along the normals there, less their work on the distance, [energy].
+  [[gnu::always_inline]] double work_of_turning(double force, double last_force,
+                                                const DistanceMotion& at) const {
+    const double dt = whole_step_.time, change = dt * at.rate * at.inverse;
+    return 0.25 * dt * dt * at.centrifugal *
+           (force - last_force + change * (force - 2.0 * last_force));
   }
   /// The dissipation in closed form from one time level to the next of a persistent contact, less
   /// the work of the discrete dashpot, from the mean rates before and after the first one. R

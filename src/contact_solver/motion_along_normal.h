@@ -30,6 +30,7 @@ struct StaggeredMotion {
 /// The same as a persistent contact sees it: how its distance has changed in the last step.
 struct DistanceMotion {
   double distance;     ///< [length]
+  double inverse;      ///< over the distance, [1/length]
   double rate;         ///< mean over the last step, [length/time]
   double centrifugal;  ///< acceleration of the distance by turning, [length/time^2]
 
@@ -38,7 +39,7 @@ struct DistanceMotion {
   static DistanceMotion of_pair(double distance, double inverse, double rate, double speed_squared,
                                 double step) {
     const double centrifugal = (speed_squared - rate * rate) * inverse;
-    return {distance, rate - 0.5 * step * centrifugal, centrifugal};
+    return {distance, inverse, rate - 0.5 * step * centrifugal, centrifugal};
   }
 };
 

@@ -61,6 +61,12 @@ class Lammps(Orders, unittest.TestCase):
                   f"fix out all ave/time 1 {half} {half} v_x file out.txt format ' %.17g'")
         return rows(scheme, e, dt, steps, (start,), "NULL", output)[-1][1]
 
+    def bounces(self, height, dt, every, steps):
+        output = (f"variable a equal z[1]-{theory.RADIUS}\nvariable b equal v_a+vz[1]^2/2/{theory.GRAVITY}\n"
+                  f"fix out all ave/time {every} 1 {every} v_a v_b file out.txt format ' %.17g'")
+        found = rows("exact", 1, dt, steps, (theory.RADIUS + height,), "NULL", output)
+        return [row[1:] for row in found]
+
 
 if __name__ == "__main__":
     unittest.main()

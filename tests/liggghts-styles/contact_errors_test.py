@@ -72,6 +72,11 @@ class Liggghts(Orders, unittest.TestCase):
         late = rows(scheme, e, dt, steps, (start,), (0.0,), output)[-steps // 2:]
         return sum(row[0] for row in late) / len(late) / 1e9
 
+    def bounces(self, height, dt, every, steps):
+        output = (f"variable a equal z[1]-{theory.RADIUS}\nvariable b equal v_a+vz[1]^2/2/{theory.GRAVITY}\n"
+                  f'fix out all print {every} "${{a}} ${{b}}" file out.txt screen no')
+        return rows("exact", 1, dt, steps, (theory.RADIUS + height,), (0.0,), output)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,8 @@
 
   stack(scheme, e, dt, every, steps)   rows of step and heights of both centres of theory.stacked_spheres
   overlap(scheme, e, dt, steps)        of a sphere that rests on a plate, the mean over the second half of the steps [m]
+  bounces(height, dt, every, steps)    rows of the height of an elastic sphere that falls on a plate from `height`, and of
+                                       the height that its energy corresponds to, scheme exact [m]
 """
 import math
 
@@ -23,6 +25,15 @@ def stack_error(stack, scheme, e, per_contact):
     return np.abs(rows[:, 1:] - theory.stacked(e, rows[:, 0] * dt)).max() / theory.amplitude()
 
 
+def bounced_height(bounces, height, number, per_contact):
+    """Heights reached after `number` bounces, in the following twenty."""
+    dt = theory.contact_time(theory.MASS) / per_contact
+    period = 2 * math.sqrt(2 * height / theory.GRAVITY) + theory.contact_time(theory.MASS)
+    rows = np.array(bounces(height, dt, 97, round((number + 20) * period / dt / 97) * 97))
+    late = rows[-round(20 * period / dt / 97):]
+    return late[late[:, 0] > 0.2 * height, 1]  # clear of the steps in which it leaves the plate
+
+
 class Orders:
     """Mixed into a TestCase with `stack`, `overlap` and `schemes`."""
 
@@ -37,6 +48,17 @@ class Orders:
                 # The other order would be off by 1. With alpha dt = 0.05 at the longest step the next order adds a
                 # twentieth to the first, and 0.05 to the fitted exponent; 0.3 is six times that.
                 self.assertAlmostEqual(found, order, delta=0.3, msg=(scheme, e))
+
+    def test_height_after_1000_elastic_bounces(self):
+        """Positions are rounded by 1e-19 m, over a step of 3e-5 s by 2e-13 of the speed of 0.02 m/s, in some ten steps of
+        a bounce: of one sign 2e-9 in all. The limit is the number that is expected of the scheme."""
+        height = 2e-5
+        for per_contact in (4, 10):
+            reached = bounced_height(self.bounces, height, 1000, per_contact)
+            self.assertGreater(len(reached), 20)
+            error = np.abs(reached / height - 1).max()
+            print(f"height after 1000 bounces at t_c/{per_contact}: {error:.1e}")
+            self.assertLess(error, 1e-6)
 
     def test_a_load_on_a_resting_contact(self):
         """F/K' in the place of F/K with scheme exact, F/K with sampled."""

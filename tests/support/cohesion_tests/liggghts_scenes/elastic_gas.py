@@ -112,10 +112,13 @@ def hertzian(law, restitution, friction):
     return models, attraction, contacts
 
 
-def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, duration, scheme="exact", law="linear"):
-    """Lines of the energy tally of gas() in `duration` [s]; none where the step is not stable."""
+def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, duration, scheme="exact", law="linear",
+                samples=1):
+    """Lines of the energy tally of gas() in `duration` [s]: that of the start and `samples`; none where the step is not
+    stable."""
     spheres, side = gas(edge, fraction, speed=speed)
-    steps = round(duration / dt)
+    every = max(1, round(duration / dt / samples))
+    steps = every * samples
     models = (f"model hooke/stiffness tangential {'history' if friction else 'off'} cohesion hamaker "
               f"absolute_damping on tangential_damping {'on' if friction else 'off'} scheme {scheme}")
     attraction, contacts = hamaker(constant, cut=CUT, out=OUT), frictional(restitution, friction)
@@ -123,7 +126,7 @@ def tallied_gas(edge, fraction, constant, speed, restitution, friction, dt, dura
         models, attraction, contacts = hertzian(law, restitution, friction)
     run = Run(script(spheres, models, attraction, dt=dt, steps=steps, every=steps,
                      contacts=contacts, boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
-                     skin=2e-4, extra=TALLY + PRINT.format(every=steps)))
+                     skin=2e-4, extra=TALLY + PRINT.format(every=every)))
     if run.code and "unstable, so that they gain energy" in run.output:
         return []
     if run.code:
