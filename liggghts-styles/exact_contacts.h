@@ -222,7 +222,7 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   if (!k->solver->advance_persistent(distance, state, step)) return false;
   if (state.phase != ContactState::persistent) return false;
   if (energies) {
-    set_persistent_losses(*k->solver, before, state, step, *energies);
+    set_persistent_losses(step, *energies);
     set_normal_stored(*k->solver, {at, 0.0, false, before, state, state.force, 0.0}, contact.radsum,
                       *energies);
   }

@@ -127,6 +127,11 @@ class EnergySums {
     add_to(lost_, fraction, energies.before);
     add_to(lost_later_, fraction, energies.after);
   }
+  /// The same of a contact that loses nothing after the time level.
+  [[gnu::always_inline]] void lose_before(double fraction, const ContactEnergies& energies) {
+    exchanged_ += fraction * energies.exchanged;
+    add_to(lost_, fraction, energies.before);
+  }
   /// The same of its normal motion alone.
   void lose_normal(double fraction, const ContactEnergies& energies) {
     exchanged_ += fraction * energies.exchanged;
@@ -137,7 +142,14 @@ class EnergySums {
 
   /// Adds the work of what acts on a particle that moves freely.
   void end_step(const ForcesAtLevel& f, const Passage& passage) {
+    add_external_work(f, passage);
+    add_friction_work(f, passage);
+  }
+  /// The two parts of it. The first is 0 where only contacts and gravity act.
+  void add_external_work(const ForcesAtLevel& f, const Passage& passage) {
     external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
+  }
+  void add_friction_work(const ForcesAtLevel& f, const Passage& passage) {
     friction.add(f.friction, f.of_contacts_torque, passage);
   }
   /// Adds what is stored beside the kinetic energy of such a particle: nothing in the first step of
