@@ -60,10 +60,7 @@ class ContactForces {
     if (!c.template advance_persistent<SIZE, linear>(now, values, does,
                                                      tallies ? &energies : nullptr))
       return false;
-    if constexpr (tallies) {
-      step_->energy_tally.lose_persistent(owned_fraction(static_cast<int>(j)), energies);
-      add_friction(static_cast<int>(i), static_cast<int>(j), kick_ * does.friction);
-    }
+    if constexpr (tallies) tally_persistent(i, j, does.friction, energies);
     Vector3 pushed = kick_ * does.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
     if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
@@ -88,7 +85,7 @@ class ContactForces {
     if (is_own(j)) push(j, does.action.impulse, does.action.torque_j);
     if (dot(does.at_edge, does.at_edge) > 0.0) exclude(c, i, j, kick_ * does.at_edge);
     if (does.unresolved) step_->count_unresolved(owned_fraction(j));
-    if (step_->energy_tally.is_active()) tally(i, j, kick_ * does.friction, *energies);
+    if (step_->energy_tally.is_active()) tally(i, j, does.friction, *energies);
     return does;
   }
 
@@ -115,10 +112,19 @@ class ContactForces {
     step_->energy_tally.add(owned_fraction(j), energies);
     add_friction(i, j, friction);
   }
-  /// Adds a force of sliding friction on j, and the opposite one on i, to the energy balance.
+  [[gnu::always_inline]] void tally_persistent(std::ptrdiff_t i, std::ptrdiff_t j,
+                                               const Vector3& friction,
+                                               const ContactEnergies& energies) const {
+    ContactEnergyTally& tally = step_->energy_tally;
+    if (SIZE >= ContactHistory::with_friction) tally.subtract_friction(i, friction);
+    if (j >= nlocal_) return tally.lose_persistent(0.5, energies);
+    tally.lose_persistent(1.0, energies);
+    if (SIZE >= ContactHistory::with_friction) tally.add_friction(j, friction);
+  }
+  /// Adds an impulse of sliding friction on j, and the reverse on i, to the energy balance.
   [[gnu::always_inline]] void add_friction(int i, int j, const Vector3& friction) const {
     if constexpr (SIZE >= ContactHistory::with_friction) {
-      step_->energy_tally.add_friction(i, -friction);
+      step_->energy_tally.subtract_friction(i, friction);
       if (is_own(j)) step_->energy_tally.add_friction(j, friction);
     }
   }

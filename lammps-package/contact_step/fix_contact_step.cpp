@@ -324,14 +324,15 @@ void FixContactStep::tally_work(bool starts) {
   const bool reads = energy_tally.is_read();
   if (!others_act && !reads) return tally_friction();
   const double half = 0.5 * forces_dt;  // update->dt may be that of the next step already
+  const double kick = impulses.kick();
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     if (inverse_mass[i] == 0.0) continue;
     const ForcesAtLevel forces{vector(atom->f[i]),      impulses.force(i),
-                               vector(&weight[3 * i]),  energy_tally.friction(i),
+                               vector(&weight[3 * i]),  kick * energy_tally.friction(i),
                                vector(atom->torque[i]), impulses.torque(i)};
     const Passage passage = reads ? passage_of(i, starts, half) : short_passage_of(i, half);
-    energy_tally.add_friction_work(forces, passage);
+    energy_tally.friction_work().add(forces.friction, forces.of_contacts_torque, passage);
     if (others_act) energy_tally.add_external_work(forces, passage);
     if (reads && !starts)
       energy_tally.store_motion(forces, inverse_mass[i],
@@ -341,14 +342,11 @@ void FixContactStep::tally_work(bool starts) {
 
 /// The same in a step without output, where only contacts and gravity act.
 void FixContactStep::tally_friction() {
-  const double half = 0.5 * forces_dt;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (inverse_mass[i] == 0.0) continue;
-    ForcesAtLevel forces{};
-    forces.friction = energy_tally.friction(i);
-    forces.of_contacts_torque = vector(atom->torque[i]);
-    energy_tally.add_friction_work(forces, short_passage_of(i, half));
-  }
+  const double half = 0.5 * forces_dt, kick = impulses.kick();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (inverse_mass[i] != 0.0)
+      energy_tally.friction_work().add(kick * energy_tally.friction(i), vector(atom->torque[i]),
+                                       short_passage_of(i, half));
 }
 
 Passage FixContactStep::passage_of(int i, bool starts, double half) const {
@@ -357,10 +355,6 @@ Passage FixContactStep::passage_of(int i, bool starts, double half) const {
   const Vector3 turn = (half * inverse_inertia) * vector(atom->torque[i]);
   return starts ? Passage::start(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half)
                 : Passage::whole(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half);
-}
-
-Passage FixContactStep::short_passage_of(int i, double half) const {
-  return Passage::without_output(vector(atom->v[i]), vector(atom->omega[i]), half);
 }
 
 void FixContactStep::post_run() {

@@ -189,7 +189,10 @@ class FixContactStep : public Fix {
   void tally_work(bool starts);
   void tally_friction();
   cohesion::contact_solver::Passage passage_of(int i, bool starts, double half) const;
-  cohesion::contact_solver::Passage short_passage_of(int i, double half) const;
+  cohesion::contact_solver::Passage short_passage_of(int i, double half) const {
+    return cohesion::contact_solver::Passage::without_output(
+        cohesion::vector(atom->v[i]), cohesion::vector(atom->omega[i]), half);
+  }
   bool may_end_here() const;
   void begin_tallies();
   void refuse_rigid_bodies() const;

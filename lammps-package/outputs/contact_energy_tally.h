@@ -3,6 +3,7 @@
 #define COHESION_CONTACT_ENERGY_TALLY_H
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -42,9 +43,9 @@ class ContactEnergyTally {
   void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
     sums_.store_normal(fraction, stored);
   }
-  /// Adds what a contact stores and loses, `fraction` of it.
+  /// Adds what a contact loses, and in a step that is read what it stores, `fraction` of it.
   void add(double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
-    sums_.store(fraction, energies.stored);
+    if (read_) sums_.store(fraction, energies.stored);
     sums_.lose(fraction, energies);
   }
   /// Adds what a contact stores, and what one loses that has been persistent and stays so.
@@ -62,16 +63,19 @@ class ContactEnergyTally {
   void add_friction_work(double done) {
     if (active_) sums_.friction.add(0.5 * done, 0.5 * done);
   }
-  /// Adds a force of sliding friction on particle i of this process.
-  void add_friction(int i, const cohesion::Vector3& on_it) { friction_[i] += on_it; }
-  /// The sum of those, [force].
+  /// Adds an impulse of sliding friction on particle j of this process, or on i by the reverse.
+  [[gnu::always_inline]] void add_friction(std::ptrdiff_t j, const cohesion::Vector3& impulse) {
+    friction_[j] += impulse;
+  }
+  [[gnu::always_inline]] void subtract_friction(std::ptrdiff_t i,
+                                                const cohesion::Vector3& impulse) {
+    friction_[i] -= impulse;
+  }
+  /// The sum of those, [momentum].
   const cohesion::Vector3& friction(int i) const { return friction_[i]; }
 
   /// End the step of a particle: EnergySums.
-  void add_friction_work(const cohesion::contact_solver::ForcesAtLevel& forces,
-                         const cohesion::contact_solver::Passage& passage) {
-    sums_.add_friction_work(forces, passage);
-  }
+  cohesion::contact_solver::WorkOfForces& friction_work() { return sums_.friction; }
   void add_external_work(const cohesion::contact_solver::ForcesAtLevel& forces,
                          const cohesion::contact_solver::Passage& passage) {
     sums_.add_external_work(forces, passage);
@@ -104,7 +108,7 @@ class ContactEnergyTally {
  private:
   bool active_ = false, read_ = false;
   cohesion::contact_solver::EnergySums sums_;
-  std::vector<cohesion::Vector3> friction_;  // on each particle, [force]
+  std::vector<cohesion::Vector3> friction_;  // on each particle, [momentum]
   Reader readers_ = std::make_shared<char>();
 };
 
