@@ -84,9 +84,9 @@ namespace {
   if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
 }
 
-void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData& d,
-                                          const Vector3& dashpot) {
-  normal_dashpot_force_.resize(on_.size());
+[[gnu::always_inline]] inline void ModelEnergyTally::add_normal_dashpot(
+    const ContactModels::SurfacesCloseData& d, const Vector3& dashpot) {
+  if (normal_dashpot_force_.empty()) normal_dashpot_force_.resize(on_.size());
   normal_dashpot_force_[d.i] += dashpot;
   if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
   if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
@@ -102,8 +102,8 @@ void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData
   wall_tangential_dashpot_ += dot(dashpot, v);
 }
 
-void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
-                                   const ContactSample& c, double adhesion) {
+[[gnu::always_inline]] inline void ModelEnergyTally::add_of_sampled(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c, double adhesion) {
   if (!d.computeflag) return;  // a force evaluation without a step
   if (is_read_) {
     const double fraction = owned_fraction(d);
@@ -115,16 +115,21 @@ void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
   add_forces(d, c);
 }
 
+void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
+                                   const ContactSample& c, double adhesion) {
+  add_of_sampled(d, c, adhesion);
+}
+
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d,
                                    const ContactModels::ForceData& on_i,
                                    const ContactModels::ForceData& on_j, double exponent,
                                    const OtherModels& models, double adhesion) {
-  add_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
+  add_of_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add(const ContactModels::SurfacesCloseData& d,
-                                                         const ContactSample& c,
-                                                         const ContactEnergies& of_normal) {
+[[gnu::always_inline]] inline void ModelEnergyTally::add_of_exact(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c,
+    const ContactEnergies& of_normal) {
   if (!d.computeflag) return;
   const double fraction = owned_fraction(d);
   if (is_read_) {
@@ -139,14 +144,14 @@ void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d
 
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
                                  const ContactEnergies& of_normal) {
-  add(d, c, of_normal);
+  add_of_exact(d, c, of_normal);
 }
 
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
                                  const ContactModels::ForceData& on_i,
                                  const ContactModels::ForceData& on_j, const OtherModels& models,
                                  const ContactEnergies& of_normal) {
-  add(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
+  add_of_exact(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
 }
 
 void ModelEnergyTally::add_engine_forces(double factor) {

@@ -54,7 +54,8 @@ void ComputeGranEnergy::begin_run() {
         "compute {} gran/energy: the last run ended early, with a step of which energies "
         "are not known: the first line has no energies of springs in the plane of "
         "contact, and entry 10 has that error from then on; "
-        "define the compute before a run that may end early",
+        "define the compute before a run that may end early, and end it by fix halt, not by a "
+        "timer",
         id);
   work_out();
   tally.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
