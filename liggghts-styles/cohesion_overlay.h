@@ -171,9 +171,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
     auto* const energies = new_energies();
-    if (!exact_->advance_persistent(contact, spring, force, energies)) {
+    const bool reads = reads_energies();
+    if (!exact_->advance_persistent(contact, spring, force, energies, reads)) {
       cohesion::contact_solver::ContactStep step;
-      if (!exact_->advance(contact, contact.r, contact.en, step, energies)) step = {};
+      if (!exact_->advance(contact, contact.r, contact.en, step, energies, reads)) step = {};
       exact_->set_friction(contact, step, spring);
       force = step.force;
     }
@@ -189,7 +190,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
     cohesion::contact_solver::ContactStep step;
-    if (!carries(near) || !exact_->advance(near, r, normal, step, new_energies())) return;
+    if (!carries(near) || !exact_->advance(near, r, normal, step, new_energies(), reads_energies()))
+      return;
     if (tally_) {
       cohesion::contact::ContactSample contact;
       contact.normal = cohesion::vector(normal);
@@ -288,9 +290,12 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// Of scheme exact; null: no tally is kept.
   cohesion::contact_solver::ContactEnergies* new_energies() {
     if (!tally_) return nullptr;
-    energies_ = {tally_->is_read()};
+    energies_ = {};
     return &energies_;
   }
+
+  /// Whether an output reads the energies of this step.
+  bool reads_energies() const { return tally_ && tally_->is_read(); }
 
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
@@ -300,7 +305,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     else
       tally_->add_sampled(
           contact, on_i, on_j, normal_->exponent(), other_models_,
-          attracts && tally_->is_read() ? adhesion_energy(contact, -contact.deltan) : 0);
+          attracts && reads_energies() ? adhesion_energy(contact, -contact.deltan) : 0);
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -309,7 +314,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    tally_->add_sampled(near, contact, tally_->is_read() ? adhesion_energy(near, gap) : 0.0);
+    tally_->add_sampled(near, contact, reads_energies() ? adhesion_energy(near, gap) : 0.0);
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.

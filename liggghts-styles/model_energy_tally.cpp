@@ -84,9 +84,9 @@ namespace {
   if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
 }
 
-void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData& d,
-                                          const Vector3& dashpot) {
-  normal_dashpot_force_.resize(on_.size());
+[[gnu::always_inline]] inline void ModelEnergyTally::add_normal_dashpot(
+    const ContactModels::SurfacesCloseData& d, const Vector3& dashpot) {
+  if (normal_dashpot_force_.empty()) normal_dashpot_force_.resize(on_.size());
   normal_dashpot_force_[d.i] += dashpot;
   if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
   if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
@@ -102,8 +102,8 @@ void ModelEnergyTally::add_normal_dashpot(const ContactModels::SurfacesCloseData
   wall_tangential_dashpot_ += dot(dashpot, v);
 }
 
-void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
-                                   const ContactSample& c, double adhesion) {
+[[gnu::always_inline]] inline void ModelEnergyTally::add_of_sampled(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c, double adhesion) {
   if (!d.computeflag) return;  // a force evaluation without a step
   if (is_read_) {
     const double fraction = owned_fraction(d);
@@ -115,16 +115,21 @@ void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
   add_forces(d, c);
 }
 
+void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
+                                   const ContactSample& c, double adhesion) {
+  add_of_sampled(d, c, adhesion);
+}
+
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d,
                                    const ContactModels::ForceData& on_i,
                                    const ContactModels::ForceData& on_j, double exponent,
                                    const OtherModels& models, double adhesion) {
-  add_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
+  add_of_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add(const ContactModels::SurfacesCloseData& d,
-                                                         const ContactSample& c,
-                                                         const ContactEnergies& of_normal) {
+[[gnu::always_inline]] inline void ModelEnergyTally::add_of_exact(
+    const ContactModels::SurfacesCloseData& d, const ContactSample& c,
+    const ContactEnergies& of_normal) {
   if (!d.computeflag) return;
   const double fraction = owned_fraction(d);
   if (is_read_) {
@@ -139,14 +144,14 @@ void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d
 
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
                                  const ContactEnergies& of_normal) {
-  add(d, c, of_normal);
+  add_of_exact(d, c, of_normal);
 }
 
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
                                  const ContactModels::ForceData& on_i,
                                  const ContactModels::ForceData& on_j, const OtherModels& models,
                                  const ContactEnergies& of_normal) {
-  add(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
+  add_of_exact(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
 }
 
 void ModelEnergyTally::add_engine_forces(double factor) {
@@ -200,33 +205,45 @@ void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts)
   const GravityOfFixes gravity(lmp_->modify);
   const double half = 0.5 * lmp_->update->dt;
   const double factor = mobile.inertia_factor(lmp_->domain->dimension);
+  const auto forces_on = [&](int i, bool turns) {
+    const OnParticle& on = on_[i];
+    const Vector3 weight = atom->rmass[i] * gravity.on(atom->mask[i]);
+    const Vector3 torque = turns ? vector(atom->torque[i]) : on.torque;
+    return ForcesAtLevel{vector(atom->f[i]), on.force, weight, on.friction, torque, on.torque};
+  };
+  const auto add_work = [&](int i, bool moves, bool turns, const Passage& passage)
+                            __attribute__((always_inline)) {
+                              const OnParticle& on = on_[i];
+                              tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
+                              if (!rolling_torque_.empty())
+                                rolling_.add({}, rolling_torque_[i], passage);
+                              if (!normal_dashpot_force_.empty())
+                                normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
+                              if (moves) {
+                                sums_.end_step(forces_on(i, turns), passage);
+                                if (!turns) sums_.external.add({}, -on.torque, passage);
+                              } else {
+                                // What leads a particle gives to the others.
+                                sums_.friction.add(on.friction, on.torque, passage);
+                                sums_.external.add(-on.force, -on.torque, passage);
+                              }
+                            };
   for (int i = 0; i < atom->nlocal; i++) {
     const int mask = atom->mask[i];
-    const OnParticle& on = on_[i];
     const bool moves = mobile.moves(mask), turns = moves && !mobile.is_not_turned(mask);
+    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
+    if (!is_read_) {
+      add_work(i, moves, turns, Passage::without_output(velocity, spin, half));
+      continue;
+    }
     const double inverse_mass = moves ? 1.0 / atom->rmass[i] : 0.0;
     const double inverse_inertia =
         turns ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
-    const Vector3 force = vector(atom->f[i]), torque = vector(atom->torque[i]);
-    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
-    const Passage passage = is_read_ ? make_passage(velocity, half * inverse_mass * force, spin,
-                                                    half * inverse_inertia * torque, half)
-                                     : Passage::without_output(velocity, spin, half);
-    tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
-    if (!rolling_torque_.empty()) rolling_.add({}, rolling_torque_[i], passage);
-    if (!normal_dashpot_force_.empty()) normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
-    if (moves) {
-      const Vector3 weight = atom->rmass[i] * gravity.on(mask);
-      const Vector3& other_torque = turns ? torque : on.torque;
-      const ForcesAtLevel forces{force, on.force, weight, on.friction, other_torque, on.torque};
-      sums_.end_step(forces, passage);
-      if (is_read_ && !starts) sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
-      if (!turns) sums_.external.add({}, -on.torque, passage);
-    } else {
-      // What leads a particle gives to the others.
-      sums_.friction.add(on.friction, on.torque, passage);
-      sums_.external.add(-on.force, -on.torque, passage);
-    }
+    add_work(i, moves, turns,
+             make_passage(velocity, half * inverse_mass * vector(atom->f[i]), spin,
+                          half * inverse_inertia * vector(atom->torque[i]), half));
+    if (moves && !starts)
+      sums_.store_motion(forces_on(i, turns), inverse_mass, inverse_inertia, half);
   }
   const auto add = [&](WorkOfForces& work, double power) {
     work.add(before * power, half * power);

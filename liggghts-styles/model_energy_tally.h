@@ -76,8 +76,11 @@ class ModelEnergyTally {
   using WorkOfForces = cohesion::contact_solver::WorkOfForces;
 
   void clear();
-  void add(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
-           const cohesion::contact_solver::ContactEnergies& of_normal);
+  void add_of_sampled(const ContactModels::SurfacesCloseData&,
+                      const cohesion::contact::ContactSample&, double adhesion);
+  void add_of_exact(const ContactModels::SurfacesCloseData&,
+                    const cohesion::contact::ContactSample&,
+                    const cohesion::contact_solver::ContactEnergies& of_normal);
   void add_forces(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&);
   void add_rolling(const ContactModels::SurfacesCloseData&,
                    const cohesion::contact::ContactSample&);

@@ -37,8 +37,7 @@ class ContactForces {
         kick_(step->impulses.kick()),
         nlocal_(atom->nlocal),
         moved_by_forces_(step->moved_by_forces()),
-        may_persist_(!step->energy_tally.is_active() && !step->starts() &&
-                     !step->has_other_length()) {}
+        may_persist_(!step->starts() && !step->has_other_length()) {}
 
   /// Force that represents a unit impulse in this step, [1/time].
   double kick() const { return kick_; }
@@ -49,14 +48,19 @@ class ContactForces {
   /// Whether apply_persistent() can be called in this step.
   bool may_persist() const { return may_persist_; }
   /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
-  /// step, without energies. `now`, `does`, `linear`: as in ExactContact. Returns false, and does
-  /// nothing, for any other contact, and in the step in which the engine has exchanged i and j.
-  template <bool linear, class Motion>
+  /// step, without stored energies. `now`, `does`, `linear`: as in ExactContact; `tallies`: the
+  /// energy balance is active, and gets the losses. Returns false, and does nothing, for any other
+  /// contact, and in the step in which the engine has exchanged i and j.
+  template <bool linear, bool tallies, class Motion>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, std::ptrdiff_t i, std::ptrdiff_t j,
                                                const Motion& now, double* values,
                                                FrictionalStep& does) const {
     if (c.is_idle(now, values, moved_by_forces_)) return true;
-    if (!c.template advance_persistent<SIZE, linear>(now, values, does)) return false;
+    ContactEnergies energies;
+    if (!c.template advance_persistent<SIZE, linear>(now, values, does,
+                                                     tallies ? &energies : nullptr))
+      return false;
+    if constexpr (tallies) tally_persistent(i, j, does.friction, energies);
     Vector3 pushed = kick_ * does.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
     if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
@@ -67,21 +71,21 @@ class ContactForces {
   }
 
   /// Computes any contact, and returns its impulses. `of_wall` [length/time^2]: acceleration of a
-  /// wall; `energies`: filled for the energy balance if not null.
+  /// wall; `energies`: filled for the energy balance if not null; `reads`: with those stored.
   FrictionalStep apply(const Contact& c, int i, int j, const PairMotion& now,
-                       const Vector3& of_wall, ContactHistory& history,
-                       ContactEnergies* energies) const {
+                       const Vector3& of_wall, ContactHistory& history, ContactEnergies* energies,
+                       bool reads) const {
     const Vector3 acceleration = of_wall + step_->relative_acceleration(i, j);
     if constexpr (Contact::is_exact)
       if (step_->has_other_length())
         c.change_step(step_->last_length(), now, acceleration, history);
     const FrictionalStep does =
-        c.template advance<SIZE>(now, acceleration, step_->starts(), history, energies);
+        c.template advance<SIZE>(now, acceleration, step_->starts(), history, energies, reads);
     push(i, -does.action.impulse, does.action.torque_i);
     if (is_own(j)) push(j, does.action.impulse, does.action.torque_j);
     if (dot(does.at_edge, does.at_edge) > 0.0) exclude(c, i, j, kick_ * does.at_edge);
     if (does.unresolved) step_->count_unresolved(owned_fraction(j));
-    if (step_->energy_tally.is_active()) tally(i, j, kick_ * does.friction, *energies);
+    if (step_->energy_tally.is_active()) tally(i, j, does.friction, *energies);
     return does;
   }
 
@@ -105,12 +109,23 @@ class ContactForces {
   }
 
   void tally(int i, int j, const Vector3& friction, const ContactEnergies& energies) const {
+    step_->energy_tally.add(owned_fraction(j), energies);
+    add_friction(i, j, friction);
+  }
+  [[gnu::always_inline]] void tally_persistent(std::ptrdiff_t i, std::ptrdiff_t j,
+                                               const Vector3& friction,
+                                               const ContactEnergies& energies) const {
     ContactEnergyTally& tally = step_->energy_tally;
-    const double fraction = owned_fraction(j);
-    tally.add(fraction, energies);
+    if (SIZE >= ContactHistory::with_friction) tally.subtract_friction(i, friction);
+    if (j >= nlocal_) return tally.lose_persistent(0.5, energies);
+    tally.lose_persistent(1.0, energies);
+    if (SIZE >= ContactHistory::with_friction) tally.add_friction(j, friction);
+  }
+  /// Adds an impulse of sliding friction on j, and the reverse on i, to the energy balance.
+  [[gnu::always_inline]] void add_friction(int i, int j, const Vector3& friction) const {
     if constexpr (SIZE >= ContactHistory::with_friction) {
-      tally.add_friction(i, -friction);
-      if (is_own(j)) tally.add_friction(j, friction);
+      step_->energy_tally.subtract_friction(i, friction);
+      if (is_own(j)) step_->energy_tally.add_friction(j, friction);
     }
   }
 

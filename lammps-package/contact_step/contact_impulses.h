@@ -46,11 +46,6 @@ class ContactImpulses : protected Pointers {
   /// The force and torque of contacts on particle i, after end_contacts().
   cohesion::Vector3 force(int i) const { return cohesion::vector(&forces_[3 * i]); }
   cohesion::Vector3 torque(int i) const { return cohesion::vector(&torques_[3 * i]); }
-  /// The force on particle i without that of contacts, when all forces of the step are summed; 0 if
-  /// no output needs it.
-  cohesion::Vector3 other_force(int i) const {
-    return known_ ? cohesion::vector(atom->f[i]) - force(i) : cohesion::Vector3{};
-  }
   double bytes() const {
     return static_cast<double>(sizeof(double)) *
            static_cast<double>(forces_.capacity() + torques_.capacity());

@@ -13,6 +13,7 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #include <vector>
 
 #include "atom.h"
+#include "contact_solver/energy_sums.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_solver/pair_motion.h"
 #include "contact_step/altered_particles.h"
@@ -90,7 +91,7 @@ class FixContactStep : public Fix {
   bool is_running() const { return running; }
   /// What scripts have altered since the last run; filled while a continued run is set up.
   const AlteredParticles& altered_particles() const { return altered; }
-  /// Whether the last run ended in a step without energy balance, so that its totals are unknown.
+  /// Whether the last run ended in a step without stored energies, so that its totals are unknown.
   bool last_tally_unknown() const { return tally_unknown; }
   /// Whether this is the first step of a run that continues no other.
   bool starts() const { return starting; }
@@ -170,6 +171,7 @@ class FixContactStep : public Fix {
   bool begin_step();
   void save_last(int i, double* values) const;
   void find_styles();
+  bool find_others() const;
   void follow_renumbering();
   void find_altered();
   void advise_if_due(bool setup);
@@ -185,6 +187,13 @@ class FixContactStep : public Fix {
   void forward_flagged(std::vector<char>& flags, double* values, int each);
   void end_start();
   void tally_work(bool starts);
+  void tally_friction();
+  cohesion::contact_solver::Passage passage_of(int i, bool starts, double half) const;
+  cohesion::contact_solver::Passage short_passage_of(int i, double half) const {
+    return cohesion::contact_solver::Passage::without_output(
+        cohesion::vector(atom->v[i]), cohesion::vector(atom->omega[i]), half);
+  }
+  bool may_end_here() const;
   void begin_tallies();
   void refuse_rigid_bodies() const;
   void require_spheres();
@@ -224,6 +233,7 @@ class FixContactStep : public Fix {
   std::vector<int> impulsive_particles;  // indices of atoms with such forces, with repetitions
   bool any_exact_scheme = false;         // whether any style of this run has it
   bool any_dynamic_group = false;        // whether fixes move or freeze such a group
+  bool others_act = true;                // whether other forces than those of contacts and gravity
   std::vector<char> flagged;             // storage of forwarded_flags
   double* inverse_mass;                  // per atom and ghost
   std::vector<double> known_masses;      // inverse_mass belongs to these; empty: not computed yet

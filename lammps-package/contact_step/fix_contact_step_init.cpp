@@ -53,6 +53,7 @@ void FixContactStep::init() {
   any_exact_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
     return some->is_exact_scheme();
   });
+  others_act = find_others();
   refuse_rerun(lmp, any_exact_scheme ? "scheme exact" : "scheme sampled");
   refuse_rigid_bodies();
   if (may_have_contacts && (any_exact_scheme || !warned_of_partly_held))
@@ -78,6 +79,22 @@ void FixContactStep::find_styles() {
     if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
+}
+
+/// Whether anything but contacts and gravity exerts forces.
+bool FixContactStep::find_others() const {
+  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
+    return true;
+  for (const PairMember& member : pair_members(force))
+    if (!dynamic_cast<SoftContactStyle*>(member.pair)) return true;
+  constexpr int WITH_FORCES = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix* const fix = modify->fix[i];
+    const bool is_known = fix == this || dynamic_cast<const SoftContactStyle*>(fix) ||
+                          utils::strmatch(fix->style, "^gravity");
+    if ((modify->fmask[i] & WITH_FORCES) && !is_known) return true;
+  }
+  return false;
 }
 
 /// Contacts use the masses of single spheres, not those of rigid bodies.

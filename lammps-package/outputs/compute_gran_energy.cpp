@@ -23,7 +23,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   if (narg != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
   if (igroup != 0)
     error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
-  scalar_flag = vector_flag = 1;
+  scalar_flag = vector_flag = timeflag = 1;
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
@@ -41,6 +41,8 @@ void ComputeGranEnergy::init() {
 
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
+  require_read(lmp, std::string("compute ") + id + " gran/energy",
+               !step->is_running() || step->energy_tally.is_read());
   work_out();
   tally.update(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
@@ -52,7 +54,8 @@ void ComputeGranEnergy::begin_run() {
         "compute {} gran/energy: the last run ended early, with a step of which energies "
         "are not known: the first line has no energies of springs in the plane of "
         "contact, and entry 10 has that error from then on; "
-        "define the compute before a run that may end early",
+        "define the compute before a run that may end early, and end it by fix halt, not by a "
+        "timer",
         id);
   work_out();
   tally.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);

@@ -3,6 +3,7 @@
 #define COHESION_CONTACT_ENERGY_TALLY_H
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -10,9 +11,10 @@
 
 namespace LAMMPS_NS {
 
-/// Energies that contacts store at the time level and have lost before it, of one process. It is
-/// active while somebody reads it, who subtracts what was there before, and in steps that a later
-/// run may continue from.
+/// Energies that contacts store at the time level and have lost before it, of one process. It sums
+/// up losses and work as long as it has readers, who subtract the sums of the time before. What is
+/// stored is evaluated at the time levels that an output reads and in steps that a later run may
+/// continue from.
 class ContactEnergyTally {
  public:
   using Reader = std::shared_ptr<const void>;
@@ -21,10 +23,15 @@ class ContactEnergyTally {
   [[nodiscard]] Reader add_reader() const { return readers_; }
   bool has_readers() const { return readers_.use_count() > 1; }
   bool is_active() const { return active_; }
+  /// Whether stored energies are evaluated in this step.
+  bool is_read() const { return read_; }
   const cohesion::contact_solver::EnergySums& sums() const { return sums_; }
 
-  /// Sets whether it is active in this step, which a later run may continue from.
-  void update_readers(bool may_be_continued) { active_ = may_be_continued || has_readers(); }
+  /// Sets whether it is active in this step. `read`: by an output, or by a later run.
+  void update_readers(bool may_be_continued, bool read) {
+    active_ = may_be_continued || has_readers();
+    read_ = may_be_continued || (active_ && read);
+  }
   /// Begins a new time level: losses after the last one are losses before this one.
   void begin_step(int particles) {
     if (!active_) return;
@@ -36,10 +43,18 @@ class ContactEnergyTally {
   void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
     sums_.store_normal(fraction, stored);
   }
-  /// Adds what a contact stores and loses, `fraction` of it.
+  /// Adds what a contact loses, and in a step that is read what it stores, `fraction` of it.
   void add(double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
-    sums_.store(fraction, energies.stored);
+    if (read_) sums_.store(fraction, energies.stored);
     sums_.lose(fraction, energies);
+  }
+  /// Adds what a contact stores, and what one loses that has been persistent and stays so.
+  void store(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
+    sums_.store(fraction, stored);
+  }
+  [[gnu::always_inline]] void lose_persistent(
+      double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
+    sums_.lose_before(fraction, energies);
   }
   /// Adds work of moving walls, or of friction on them, in the step around the time level.
   void add_work(double done) {
@@ -48,15 +63,22 @@ class ContactEnergyTally {
   void add_friction_work(double done) {
     if (active_) sums_.friction.add(0.5 * done, 0.5 * done);
   }
-  /// Adds a force of sliding friction on particle i of this process.
-  void add_friction(int i, const cohesion::Vector3& on_it) { friction_[i] += on_it; }
-  /// The sum of those, [force].
+  /// Adds an impulse of sliding friction on particle j of this process, or on i by the reverse.
+  [[gnu::always_inline]] void add_friction(std::ptrdiff_t j, const cohesion::Vector3& impulse) {
+    friction_[j] += impulse;
+  }
+  [[gnu::always_inline]] void subtract_friction(std::ptrdiff_t i,
+                                                const cohesion::Vector3& impulse) {
+    friction_[i] -= impulse;
+  }
+  /// The sum of those, [momentum].
   const cohesion::Vector3& friction(int i) const { return friction_[i]; }
 
   /// End the step of a particle: EnergySums.
-  void end_step(const cohesion::contact_solver::ForcesAtLevel& forces,
-                const cohesion::contact_solver::Passage& passage) {
-    sums_.end_step(forces, passage);
+  cohesion::contact_solver::WorkOfForces& friction_work() { return sums_.friction; }
+  void add_external_work(const cohesion::contact_solver::ForcesAtLevel& forces,
+                         const cohesion::contact_solver::Passage& passage) {
+    sums_.add_external_work(forces, passage);
   }
   void store_motion(const cohesion::contact_solver::ForcesAtLevel& forces, double inverse_mass,
                     double inverse_inertia, double half) {
@@ -84,9 +106,9 @@ class ContactEnergyTally {
   }
 
  private:
-  bool active_ = false;
+  bool active_ = false, read_ = false;
   cohesion::contact_solver::EnergySums sums_;
-  std::vector<cohesion::Vector3> friction_;  // on each particle, [force]
+  std::vector<cohesion::Vector3> friction_;  // on each particle, [momentum]
   Reader readers_ = std::make_shared<char>();
 };
 

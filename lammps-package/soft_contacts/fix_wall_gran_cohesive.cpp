@@ -330,9 +330,9 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
     return;
   }
   ContactEnergies energies;
-  const FrictionalStep does =
-      contact_forces.apply(c, near.i, -1, now, near.motion.acceleration, known,
-                           step->energy_tally.is_active() ? &energies : nullptr);
+  const FrictionalStep does = contact_forces.apply(
+      c, near.i, -1, now, near.motion.acceleration, known,
+      step->energy_tally.is_active() ? &energies : nullptr, step->energy_tally.is_read());
   known.store(near.history, SIZE);
   const Vector3& impulse = does.action.impulse;
   step->energy_tally.add_work(-dot(near.wall_velocity, impulse));

@@ -144,6 +144,9 @@ class PairGranCohesive : public Pair,
   template <int SIZE, class Contact>
   void compute_contacts(Contacts<Contact>&);
   template <int SIZE, class Contact>
+  bool read_persistent(const ContactForces<Contact, SIZE>&, const Contact&, int i, int j,
+                       double* values);
+  template <int SIZE, class Contact>
   void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, int i, int j,
                        int& has_history, double* values);
   template <class Contact>

@@ -119,10 +119,10 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
   const ContactForces<Contact, SIZE> forces(atom, step);
   const StaggeredParticles now = particles();
-  // Separate loops for steps with momentum fluxes and for laws that are not all linear: otherwise
-  // the results of a contact stay in registers.
-  const auto loop = [&](auto sums_flux, auto linear) {
-    const bool full = evflag || !forces.may_persist();
+  // Separate loops for steps with momentum fluxes, for steps with an energy balance, and for laws
+  // that are not all linear: otherwise the results of a contact stay in registers.
+  const auto loop = [&](auto sums_flux, auto tallies, auto linear) {
+    const bool full = evflag || step->energy_tally.is_read() || !forces.may_persist();
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
       const int c = contact(contacts, now, i, j);
@@ -130,19 +130,25 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
       const Contact& law = contacts.all[c];
       FrictionalStep does;
       if (full || !*pair.has_history ||
-          !forces.template apply_persistent<linear>(law, i, j, StaggeredPair{now, i, j},
-                                                    pair.history, does))
+          !forces.template apply_persistent<linear, tallies>(law, i, j, StaggeredPair{now, i, j},
+                                                             pair.history, does))
         compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
       else if constexpr (sums_flux)
         add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
     });
   };
-  if (step->sums_flux())
-    loop(std::true_type(), std::false_type());
-  else if (coefficients.all_linear())
-    loop(std::false_type(), std::true_type());
+  const auto loop_with = [&](auto tallies) {
+    if (step->sums_flux())
+      loop(std::true_type(), tallies, std::false_type());
+    else if (coefficients.all_linear())
+      loop(std::false_type(), tallies, std::true_type());
+    else
+      loop(std::false_type(), tallies, std::false_type());
+  };
+  if (step->energy_tally.is_active())
+    loop_with(std::true_type());
   else
-    loop(std::false_type(), std::false_type());
+    loop_with(std::false_type());
 }
 
 template <class Cohesion>
@@ -153,6 +159,30 @@ template <class Contact>
   step->flux.add(fraction, now.relative.separation, does.action.impulse, c.by_contact(now, does));
 }
 
+/// Computes a pair in a step with output as in any other step, with what it stores. Returns false
+/// for contacts that are not persistent.
+template <class Cohesion>
+template <int SIZE, class Contact>
+bool PairGranCohesive<Cohesion>::read_persistent(const ContactForces<Contact, SIZE>& forces,
+                                                 const Contact& c, int i, int j, double* values) {
+  if (!forces.may_persist()) return false;
+  const StaggeredParticles now = particles();
+  double before[SIZE];
+  std::copy_n(values, SIZE, before);
+  FrictionalStep does;
+  const StaggeredPair pair{now, i, j};
+  const bool tallies = step->energy_tally.is_active();
+  if (!(tallies ? forces.template apply_persistent<false, true>(c, i, j, pair, values, does)
+                : forces.template apply_persistent<false, false>(c, i, j, pair, values, does)))
+    return false;
+  const PairMotion motion = now.motion(i, j);
+  const StoredEnergies stored = c.template stored_persistent<SIZE>(motion, before, values);
+  if (tallies) step->energy_tally.store(forces.owned_fraction(j), stored);
+  if (step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, does);
+  if (evflag) tally(i, j, motion.relative.separation, energy(stored), does.action.impulse);
+  return true;
+}
+
 /// Computes any pair. A pair out of range that may enter it in this step gets a history: only pairs
 /// without one can stand in range without having moved there.
 template <class Cohesion>
@@ -160,6 +190,8 @@ template <int SIZE, class Contact>
 [[gnu::noinline]] void PairGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& forces, const Contact& c, int i, int j, int& has_history,
     double* values) {
+  const bool reads = evflag || step->energy_tally.is_read();
+  if (reads && has_history && read_persistent<SIZE>(forces, c, i, j, values)) return;
   const StaggeredParticles now = particles();
   ContactState::restore_signs(values);
   ContactHistory known = has_history && !step->starts() ? ContactHistory::stored(values, SIZE)
@@ -172,8 +204,9 @@ template <int SIZE, class Contact>
   if (!has_history) std::fill_n(values, per_pair, 0.0);
   const PairMotion motion = now.motion(i, j);
   ContactEnergies energies;
-  const FrictionalStep does = forces.apply(
-      c, i, j, motion, {}, known, evflag || step->energy_tally.is_active() ? &energies : nullptr);
+  const FrictionalStep does =
+      forces.apply(c, i, j, motion, {}, known,
+                   reads || step->energy_tally.is_active() ? &energies : nullptr, reads);
   known.store(values, SIZE);
   has_history = 1;
   if (step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, does);

@@ -124,10 +124,6 @@ class ContactSolver : public PairCourse {
   double exchanged(double external, const ContactState& state) const {
     return state.is_outside() ? 0.0 : account_.exchanged(persistent_force(state), external, state);
   }
-  /// exchanged() of a contact that was persistent in the last step and is so now, in `state`.
-  double exchanged_by_persistent(const ContactState& before, const ContactState& state) const {
-    return account_.exchanged(before.force, state.external_before, before);
-  }
   /// What the dashpot has dissipated since the last time level, as far as it is known only now,
   /// [energy].
   double dissipated(const StaggeredMotion& now, const ContactState& state) const {
@@ -297,9 +293,10 @@ class ContactSolver : public PairCourse {
         contact());
   }
 
-  [[gnu::always_inline]] void go_on(double rate, double external, const PersistentStep& result,
+  [[gnu::always_inline]] void go_on(double rate, double external, PersistentStep& result,
                                     ContactState& state) const {
-    state.account += result.account + account_.exchanged(state.force, external, state);
+    result.exchanged = account_.exchanged(state.force, external, state);
+    state.account += result.account + result.exchanged;
     state.phase = result.taut ? ContactState::taut : ContactState::persistent;
     state.velocity_offset = result.true_rate;
     state.last_rate = rate;

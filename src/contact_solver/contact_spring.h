@@ -44,10 +44,18 @@ class ContactSpring {
     return DiscreteSpring::at_time_level(parameters(contact::point_of(law_, overlap)), step_,
                                          inverse_mass_);
   }
-  /// The constants of a spring that stiffens, at this point of the law.
+  /// The constants of a persistent contact at this overlap [length].
+  DiscreteConstants constants_at(double overlap) const {
+    return stiffens_ ? constants_at(contact::point_of(law_, overlap)) : constant_.constants();
+  }
+  /// The same of a spring that stiffens, at this point of the law.
   DiscreteConstants constants_at(const contact::LawPoint& here) const {
     const contact::TangentialParameters p = parameters(here);
     return constant_.constants_at_time_level(p.stiffness, p.damping);
+  }
+  /// Of a persistent contact, [energy].
+  double stored_energy(double overlap, const Vector3& stretch) const {
+    return DiscreteSpring::stored_energy(constants_at(overlap), stretch);
   }
   /// The fraction of a stretch that is left after a change of the overlap [length].
   double left_of_stretch(double before, double now) const {
@@ -62,26 +70,34 @@ class ContactSpring {
     double now, decrease;
   };
   /// The impulse of a persistent contact whose normal motion does `normal`, that was persistent in
-  /// the last step, too. `values`: the stored spring; `linear`: the normal law is known to be so.
+  /// the last step, too. `values`: the stored spring; `linear`: the normal law is known to be so;
+  /// `losses` may be null.
   template <bool linear>
   [[gnu::always_inline]] Vector3 persistent_impulse(const contact::Plane& plane,
                                                     const Vector3& rate,
                                                     const PersistentStep& normal,
-                                                    const OverlapChange& overlap,
-                                                    double* values) const {
-    DiscreteSpring::State state{vector(values)};
+                                                    const OverlapChange& overlap, double* values,
+                                                    DiscreteSpring::Losses* losses) const {
+    DiscreteSpring::State last{vector(values), vector(values + 3)}, state{last.stretch};
     Vector3 impulse;
+    bool slips;
     if (linear || !stiffens_) {
-      bool slips;
       impulse = constant_.advance_persistent(plane, rate, normal.repulsion, true, state, slips);
+      if (losses)
+        *losses = constant_.losses(plane, rate, {constant_.constants(), last}, 1.0,
+                                   {constant_.constants(), state}, slips);
     } else {
       const double before = normal.radius_stiffness_before;
       const double left = before >= 0.0
                               ? contact::stretch_left(before, normal.at.radius_stiffness)
                               : left_of_stretch(overlap.now + overlap.decrease, overlap.now);
       state.stretch = left * state.stretch;
-      impulse = constant_.advance_persistent(plane, rate, normal.repulsion, constants_at(normal.at),
-                                             state);
+      const DiscreteConstants here = constants_at(normal.at);
+      impulse = constant_.advance_persistent(plane, rate, normal.repulsion, here, state, slips);
+      if (losses)
+        *losses =
+            constant_.losses(plane, rate, {constants_at(overlap.now + overlap.decrease), last},
+                             left, {here, state}, slips);
     }
     ContactHistory::store(state, values);
     return impulse;

@@ -92,6 +92,7 @@ struct PersistentStep {
   double repulsion;         ///< the part of spring and dashpot, [force]
   double account;           ///< change of its energy account without exchanged(), [energy]
   double dissipated = 0.0;  ///< by the dashpot since the last time level, [energy]
+  double exchanged = 0.0;   ///< EnergyAccount::exchanged(), [energy]
   bool taut = false;        ///< ContactState::taut
   /// True rate of the distance, where the law's account needs it, [length/time].
   double true_rate = 0.0;

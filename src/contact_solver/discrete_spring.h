@@ -58,24 +58,38 @@ class DiscreteSpring {
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
                                                     const DiscreteConstants& constants,
-                                                    State& state) const {
-    bool slips;
+                                                    State& state, bool& slips) const {
     return advance_persistent(plane, rate, repulsion, true, constants, constants, state, slips);
   }
 
+  const DiscreteConstants& constants() const { return constants_; }
   /// [energy]
-  double stored_energy(const Vector3& stretch) const {
-    return 0.5 * constants_.stiffness * dot(stretch, stretch);
+  double stored_energy(const Vector3& stretch) const { return stored_energy(constants_, stretch); }
+  static double stored_energy(const DiscreteConstants& constants, const Vector3& stretch) {
+    return 0.5 * constants.stiffness * dot(stretch, stretch);
   }
-  /// Energy that a persistent contact has lost since the last time level: the work of its impulses
-  /// `before` and now, and the energy `released` by its spring, [energy].
-  double lost(const Vector3& rate, const Vector3& before, const Vector3& impulse,
-              double released) const {
-    return released - 0.5 * dot(before + impulse, rate);
-  }
-  /// The part of the dashpot while the contact slips. `stretched` [length]: by spring and dashpot.
-  double damped(const Vector3& stretched) const {
-    return constants_.damping / step_ * dot(stretched, stretched);
+  /// Energy that a persistent contact has lost since the last time level, in all and in its
+  /// dashpot, [energy].
+  struct Losses {
+    double all = 0.0, damped = 0.0;
+  };
+  /// A persistent contact at a time level, with the impulse that acted there.
+  struct AtLevel {
+    const DiscreteConstants& constants;
+    const State& state;
+  };
+  /// The energy that the spring has released, less the work of its impulses. While the contact
+  /// slips, the dashpot is stretched with the spring. `left`: of the last stretch where the
+  /// stiffness has changed.
+  [[gnu::always_inline]] Losses losses(const contact::Plane& plane, const Vector3& rate,
+                                       const AtLevel& last, double left, const AtLevel& now,
+                                       bool slips) const {
+    const double released = stored_energy(last.constants, last.state.stretch) -
+                            stored_energy(now.constants, now.state.stretch);
+    const double all = released - 0.5 * dot(last.state.impulse + now.state.impulse, rate);
+    if (!slips) return {all, all};
+    const Vector3 stretched = now.state.stretch - plane.turned_into(left * last.state.stretch);
+    return {all, now.constants.damping / step_ * dot(stretched, stretched)};
   }
 
   /// Twice the impulse from the staggered to the true velocity of a sticking contact, in closed

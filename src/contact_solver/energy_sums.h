@@ -127,6 +127,15 @@ class EnergySums {
     add_to(lost_, fraction, energies.before);
     add_to(lost_later_, fraction, energies.after);
   }
+  /// The same of a contact that loses nothing after the time level.
+  [[gnu::always_inline]] void lose_before(double fraction, const ContactEnergies& energies) {
+    const ContactLosses& lost = energies.before;
+    lost_.normal_damping += fraction * lost.normal_damping;
+    lost_.tangential_damping += fraction * lost.tangential_damping;
+    // Zeros that the compiler knows, as without rolling friction, cost nothing.
+    if (lost.rolling != 0.0) lost_.rolling += fraction * lost.rolling;
+    if (energies.exchanged != 0.0) exchanged_ += fraction * energies.exchanged;
+  }
   /// The same of its normal motion alone.
   void lose_normal(double fraction, const ContactEnergies& energies) {
     exchanged_ += fraction * energies.exchanged;
@@ -137,8 +146,12 @@ class EnergySums {
 
   /// Adds the work of what acts on a particle that moves freely.
   void end_step(const ForcesAtLevel& f, const Passage& passage) {
-    external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
+    add_external_work(f, passage);
     friction.add(f.friction, f.of_contacts_torque, passage);
+  }
+  /// The part of other forces than those of contacts and gravity.
+  void add_external_work(const ForcesAtLevel& f, const Passage& passage) {
+    external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
   }
   /// Adds what is stored beside the kinetic energy of such a particle: nothing in the first step of
   /// a run that continues no other, nor without contacts. `half`: of a step, [time].

@@ -98,12 +98,14 @@ class ExactContact {
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
   /// so, and adds to `step` what it does. Returns false, and does nothing, where that is not
   /// certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has;
-  /// `values`: the stored history; `linear`: the normal law is known to be linear.
+  /// `values`: the stored history; `linear`: the normal law is known to be linear; `energies`:
+  /// without stored ones, may be null.
   ///
   /// Motion and history are read where they are used: otherwise they do not fit into registers.
   template <int SIZE, bool linear = false, class Motion>
   [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
-                                                 FrictionalStep& step) const {
+                                                 FrictionalStep& step,
+                                                 ContactEnergies* energies = nullptr) const {
     if (values[0] != ContactState::persistent) return false;
     RelativeState relative = now.relative();
     const Vector3& s = relative.separation;
@@ -122,32 +124,56 @@ class ExactContact {
       normal.store_persistent(values);
     }
     step.repulsion = step_ * does.repulsion;
+    if (energies) set_persistent_losses(does, *energies);
     if constexpr (SIZE >= ContactHistory::with_friction) {
       auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
       Vector3 across = v - (inverse * rate) * s;
       const ContactSpring::OverlapChange overlap{bodies_.distance() - motion.distance,
                                                  step_ * motion.rate};
+      DiscreteSpring::Losses slid, rolled;
       step.friction = sliding_.persistent_impulse<linear>(
           touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), does,
-          overlap, values + ContactHistory::normal_only);
+          overlap, values + ContactHistory::normal_only, energies ? &slid : nullptr);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<linear>(
                 touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does, overlap,
-                values + ContactHistory::with_friction),
+                values + ContactHistory::with_friction, energies ? &rolled : nullptr),
             step.action);
+      if (energies) {
+        energies->before.tangential_damping = slid.damped;
+        energies->before.rolling = rolled.all;
+      }
     }
     step.action.impulse += (step_ * does.force * inverse) * s;
     return true;
   }
 
+  /// What such a contact stores at the time level. `before`: the stored history that
+  /// advance_persistent() was given; `values`: the one that it left.
+  template <int SIZE>
+  StoredEnergies stored_persistent(const PairMotion& now, const double* before,
+                                   const double* values) const {
+    const ContactHistory after = ContactHistory::stored(values, SIZE);
+    const StaggeredMotion at = motion(now.relative, 1.0 / norm(now.relative.separation));
+    const double overlap = bodies_.distance() - at.distance;
+    const ContactState last = ContactState::stored(before);
+    ContactEnergies energies;
+    set_normal_stored(solver_, {at, 0.0, false, last, after.normal, after.normal.force, 0.0},
+                      bodies_.distance(), energies);
+    energies.stored.tangential_spring = sliding_.stored_energy(overlap, after.sliding.stretch);
+    energies.stored.rolling_spring = rolling_.stored_energy(overlap, after.rolling.stretch);
+    return energies.stored;
+  }
+
   /// Advances any contact. `acceleration` [length/time^2]: of j relative to i by all forces of the
   /// last step except impulses; `first`: in the first step of a run, whose velocities are those of
-  /// the time level. `energies` may be null.
+  /// the time level. `energies` may be null; `reads`: with those stored.
   template <int SIZE>
   FrictionalStep advance(const PairMotion& now, const Vector3& acceleration, bool first,
-                         ContactHistory& history, ContactEnergies* energies) const {
+                         ContactHistory& history, ContactEnergies* energies,
+                         bool reads = true) const {
     const Vector3& s = now.relative.separation;
     const double inverse = 1.0 / norm(s);
     const StaggeredMotion at = motion(now.relative, inverse);
@@ -176,7 +202,7 @@ class ExactContact {
       const SolvedStep solved{at,           external,         first, before, history.normal,
                               normal.force, normal.dissipated};
       set_normal_losses(solver_, solved, *energies);
-      set_normal_stored(solver_, solved, bodies_.distance(), *energies);
+      if (reads) set_normal_stored(solver_, solved, bodies_.distance(), *energies);
     }
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
@@ -187,8 +213,8 @@ class ExactContact {
       touch.add_sliding_impulse(step.friction, step.action);
       if (energies) {
         energies->stored.tangential_spring = of_sliding.stored;
-        energies->before.tangential_damping = of_sliding.damped_before;
-        energies->after.tangential_damping = of_sliding.damped_after;
+        energies->before.tangential_damping = of_sliding.before.damped;
+        energies->after.tangential_damping = of_sliding.after.damped;
       }
       if constexpr (SIZE >= ContactHistory::with_rolling) {
         Spring of_rolling;
@@ -202,8 +228,8 @@ class ExactContact {
             step.action);
         if (energies) {
           energies->stored.rolling_spring = of_rolling.stored;
-          energies->before.rolling = of_rolling.lost_before;
-          energies->after.rolling = of_rolling.lost_after;
+          energies->before.rolling = of_rolling.before.all;
+          energies->after.rolling = of_rolling.after.all;
         }
       }
     }
@@ -244,10 +270,9 @@ class ExactContact {
     const double distance = norm(separation), overlap = bodies_.distance() - distance;
     const bool stands = history.normal.phase == ContactState::unknown && is_in_range(distance);
     if (!history.normal.in_range() && !stands) return {};
-    return {solver_.spring_energy(overlap),
-            sliding_.at(overlap).stored_energy(history.sliding.stretch),
-            rolling_.at(overlap).stored_energy(history.rolling.stretch),
-            solver_.adhesion_energy(overlap)};
+    return {
+        solver_.spring_energy(overlap), sliding_.stored_energy(overlap, history.sliding.stretch),
+        rolling_.stored_energy(overlap, history.rolling.stretch), solver_.adhesion_energy(overlap)};
   }
 
  private:
@@ -280,12 +305,10 @@ class ExactContact {
       return 0.5 * (std::max(a, lowest) + std::max(b, lowest));
     }
   };
-  /// Energies of a spring: stored, lost in all, and lost in the dashpot, before and after the time
-  /// level.
+  /// Energies of a spring: stored, and lost before and after the time level.
   struct Spring {
     double stored = 0.0;
-    double lost_before = 0.0, lost_after = 0.0;
-    double damped_before = 0.0, damped_after = 0.0;
+    DiscreteSpring::Losses before, after;
   };
 
   StaggeredMotion motion(const RelativeState& relative, double inverse) const {
@@ -308,8 +331,8 @@ class ExactContact {
     const double in_step = n.overlap_in_step(), in_last_step = n.overlap_in_last_step();
     const DiscreteSpring spring = contact_spring.at(in_step);
     const DiscreteSpring::State last = state;
-    state.stretch = contact_spring.left_of_stretch(in_last_step, in_step) * state.stretch;
-    const Vector3 left = state.stretch;
+    const double left = contact_spring.left_of_stretch(in_last_step, in_step);
+    state.stretch = left * state.stretch;
     state.impulse = touch.plane().turned_into(state.impulse);
     // A contact that begins at a time level begins with the true velocity.
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
@@ -335,13 +358,10 @@ class ExactContact {
     }
     if (energies) {
       energies->stored = spring.stored_energy(stretch);
-      if (n.persisted()) {
-        energies->lost_before = spring.lost(
-            rate, last.impulse, impulse,
-            contact_spring.at(in_last_step).stored_energy(last.stretch) - energies->stored);
-        energies->damped_before = slips ? spring.damped(stretch - touch.plane().turned_into(left))
-                                        : energies->lost_before;
-      }
+      if (n.persisted())
+        energies->before =
+            spring.losses(touch.plane(), rate, {contact_spring.constants_at(in_last_step), last},
+                          left, {spring.constants(), {stretch, impulse}}, slips);
     }
     return impulse;
   }
@@ -352,7 +372,7 @@ class ExactContact {
                   DiscreteSpring::State& state, Spring* energies) const {
     if (!(n.step.normal.contact_time > 0.0)) {
       const Vector3 half = 0.5 * state.impulse;
-      if (energies) energies->lost_after = spring.stored_energy(stretch);
+      if (energies) energies->after.all = spring.stored_energy(stretch);
       state = {};
       return half;
     }
@@ -362,10 +382,7 @@ class ExactContact {
         spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
                        n.touches_at_end(), mean);
     const Vector3 impulse = 0.5 * (now.impulse + state.impulse);
-    if (energies) {
-      energies->damped_after = now.damped;
-      energies->lost_after = now.damped + now.friction;
-    }
+    if (energies) energies->after = {now.damped + now.friction, now.damped};
     const bool goes_on = n.touches_at_end();
     state = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
     return impulse;

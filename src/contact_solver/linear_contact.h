@@ -60,7 +60,8 @@ class LinearContact {
                                                    : 1.0),
         taut_overlap_(taut_part * attraction / spring.stiffness()),
         taut_stiffness_(taut_stiffness(spring.stiffness(), discrete_.stiffness)),
-        damping_(spring.damping()) {
+        damping_(spring.damping()),
+        half_damping_(0.5 * discrete_.damping * step) {
     if (damping_ > 0.0) set_dissipation();
   }
 
@@ -288,8 +289,7 @@ class LinearContact {
   [[gnu::always_inline]] void set_dissipated(double before, double after,
                                              PersistentStep& step) const {
     step.account = dissipated(before, after);
-    step.dissipated =
-        step.account + 0.5 * discrete_.damping * whole_step_.time * after * (before + after);
+    step.dissipated = step.account + half_damping_ * after * (before + after);
   }
   void set_dissipation() {
     const DampedOscillator::Propagator& p = whole_step_;
@@ -323,6 +323,7 @@ class LinearContact {
   double taut_overlap_;    // x_t
   double taut_stiffness_;  // K_t
   double damping_;         // of the contact, [mass/time]
+  double half_damping_;    // eta' dt/2, [mass]
   double before_before_ = 0.0, before_after_ = 0.0, after_after_ = 0.0;  // of dissipated()
 };
 

@@ -29,22 +29,17 @@ void set_normal_losses(const Solver& solver, const SolvedStep& step, ContactEner
   if (!step.first) energies.exchanged = solver.exchanged(step.used(), step.before);
 }
 
-/// The same of a contact that was persistent in the last step and is so in `step`.
-template <class Solver>
-[[gnu::always_inline]] inline void set_persistent_losses(const Solver& solver,
-                                                         const ContactState& before,
-                                                         const ContactState& after,
-                                                         const PersistentStep& step,
+/// The same of a contact that was persistent in the last step and is so in this one.
+[[gnu::always_inline]] inline void set_persistent_losses(const PersistentStep& step,
                                                          ContactEnergies& energies) {
   energies.before.normal_damping = step.dissipated;
-  energies.exchanged = solver.exchanged_by_persistent(before, after);
+  energies.exchanged = step.exchanged;
 }
 
-/// Sets what the normal motion of a contact stores at a time level that is read.
+/// Sets what the normal motion of a contact stores at a time level.
 template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
                        ContactEnergies& energies) {
-  if (!energies.is_read) return;
   StoredEnergies& stored = energies.stored;
   const bool stands =
       step.before.phase == ContactState::unknown && step.at.distance <= solver.entry_distance();

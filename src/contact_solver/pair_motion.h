@@ -72,11 +72,9 @@ struct ContactLosses {
 
 /// The energies of a contact at a time level, beside the kinetic energy 1/2 m v_(n-1/2) v_(n+1/2).
 struct ContactEnergies {
-  /// Whether an output reads them at this time level. Otherwise `stored` is not evaluated.
-  bool is_read = true;
-  StoredEnergies stored{};
-  ContactLosses before{};  ///< since the time level before, as far as they are known only now
-  ContactLosses after{};   ///< up to the next time level
+  StoredEnergies stored{};  ///< 0 where it was not requested
+  ContactLosses before{};   ///< since the time level before, as far as they are known only now
+  ContactLosses after{};    ///< up to the next time level
   double exchanged = 0.0;  ///< part of the load that all contacts together exchange with each other
 };
 

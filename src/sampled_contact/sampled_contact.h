@@ -56,8 +56,12 @@ class SampledContact {
 
   /// Sampled contacts are all alike.
   template <int SIZE, bool linear = false, class Motion>
-  bool advance_persistent(const Motion&, double*, FrictionalStep&) const {
+  bool advance_persistent(const Motion&, double*, FrictionalStep&, ContactEnergies*) const {
     return false;
+  }
+  template <int SIZE>
+  StoredEnergies stored_persistent(const PairMotion&, const double*, const double*) const {
+    return {};
   }
   template <class Motion>
   bool is_idle(const Motion&, const double*, double) const {
@@ -68,8 +72,8 @@ class SampledContact {
   /// dashpot takes in the step around the time level is before it.
   template <int SIZE>
   [[gnu::always_inline]] FrictionalStep advance(const PairMotion& grid, const Vector3&, bool,
-                                                ContactHistory& history,
-                                                ContactEnergies* energies) const {
+                                                ContactHistory& history, ContactEnergies* energies,
+                                                bool reads = true) const {
     const Vector3& s = grid.relative.separation;
     if (history.normal.phase == ContactState::unknown)
       history.normal.phase = stands(grid.relative) ? ContactState::inside : ContactState::outside;
@@ -80,7 +84,7 @@ class SampledContact {
     history.normal.force = normal.force;
     step.repulsion = normal.normal.repulsion_impulse;
     if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
-    Losses slid, rolled;
+    DiscreteSpring::Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       const Overlaps overlaps = this->overlaps(grid.relative);
@@ -98,7 +102,7 @@ class SampledContact {
     }
     if (energies) {
       const double damped = 0.5 * normal.normal.dissipated;
-      energies->stored = stored(grid.relative.separation, history);
+      if (reads) energies->stored = stored(grid.relative.separation, history);
       energies->before = {damped, slid.damped, rolled.all};
       energies->after.normal_damping = damped;
     }
@@ -115,9 +119,8 @@ class SampledContact {
   /// What is stored at a time level, with its history.
   StoredEnergies stored(const Vector3& separation, const ContactHistory& history) const {
     const double overlap = bodies_.distance() - norm(separation);
-    return {pair_.spring_energy(overlap),
-            sliding_.at(overlap).stored_energy(history.sliding.stretch),
-            rolling_.at(overlap).stored_energy(history.rolling.stretch),
+    return {pair_.spring_energy(overlap), sliding_.stored_energy(overlap, history.sliding.stretch),
+            rolling_.stored_energy(overlap, history.rolling.stretch),
             is_bound(history, bodies_.distance() - overlap) ? pair_.adhesion_energy(overlap) : 0.0};
   }
 
@@ -131,11 +134,6 @@ class SampledContact {
     return {bodies_.distance() - norm(now.separation),
             bodies_.distance() - norm(now.separation - (2.0 * window_.before) * now.velocity)};
   }
-  /// Of a spring since the last time level, [energy]: all, and in the dashpot alone.
-  struct Losses {
-    double all = 0.0, damped = 0.0;
-  };
-
   bool is_bound(const ContactHistory& history, double distance) const {
     return history.normal.in_range() ||
            (history.normal.phase == ContactState::unknown && is_in_range(distance));
@@ -151,29 +149,29 @@ class SampledContact {
                                                 const Overlaps& overlaps,
                                                 const ContactBodies::Touch& touch,
                                                 const Vector3& rate, const PairStep& normal,
-                                                DiscreteSpring::State& state, Losses* lost) const {
+                                                DiscreteSpring::State& state,
+                                                DiscreteSpring::Losses* losses) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
-    const DiscreteSpring spring = contact_spring.at(overlaps.now);
+    const DiscreteSpring& spring = contact_spring.constant();
+    const DiscreteConstants here = contact_spring.constants_at(overlaps.now);
     const DiscreteSpring::State last = state;
-    state.stretch = contact_spring.left_of_stretch(overlaps.before, overlaps.now) * state.stretch;
-    const Vector3 stretch = state.stretch;
+    const double left = contact_spring.left_of_stretch(overlaps.before, overlaps.now);
+    state.stretch = left * state.stretch;
+    const bool touches = normal.normal.contact_time > 0.0;
     bool slips = false;
-    Vector3 impulse{};
-    if (normal.normal.contact_time > 0.0)
-      impulse = spring.advance_persistent(touch.plane(), rate, normal.normal.repulsion_at_end, true,
-                                          state, slips);
+    if (touches)
+      spring.advance_persistent(touch.plane(), rate, normal.normal.repulsion_at_end, here, state,
+                                slips);
     else
       state = {};
-    if (lost) {
-      lost->all = spring.lost(rate, last.impulse, impulse,
-                              contact_spring.at(overlaps.before).stored_energy(last.stretch) -
-                                  spring.stored_energy(state.stretch));
-      if (normal.normal.contact_time > 0.0)
-        lost->damped =
-            slips ? spring.damped(state.stretch - touch.plane().turned_into(stretch)) : lost->all;
+    if (losses) {
+      *losses =
+          spring.losses(touch.plane(), rate, {contact_spring.constants_at(overlaps.before), last},
+                        left, {here, state}, slips);
+      if (!touches) losses->damped = 0.0;
     }
-    return part * impulse;
+    return part * state.impulse;
   }
 
   ContactBodies bodies_;

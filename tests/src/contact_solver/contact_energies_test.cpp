@@ -120,6 +120,35 @@ TEST(ContactEnergies, OfObliqueImpactsAreConstantToTheTurningOfAStep) {
     }
 }
 
+/// A pair that turns, slides and rolls. (1e-9: rounding of 100 steps, of sums that both paths form
+/// in other ways.)
+TEST(ContactEnergies, OfPersistentContactsAreThoseOfAnyStep) {
+  contact::ContactParameters linear = thesis::contact(), hertz;
+  contact::set_hertz(hertz, 5e6, 0.25);
+  hertz.restitution = 0.8;
+  for (contact::ContactParameters p : {linear, hertz})
+    for (const double friction : {0.0, 0.1, 5.0}) {
+      p.friction = friction;
+      p.rolling_friction = 0.2 * friction;
+      const auto start = [&] {
+        return meeting<ContactSolver, ContactHistory::with_rolling>(
+            p, {}, thesis::contact_time / 50.0, core, 0.1, 0.1, 0.0);
+      };
+      auto pair = start(), other = start();
+      other.short_path = false;
+      const double before = pair.kinetic_energy();
+      for (int n = 0; n < 100; n++) {
+        pair.step();
+        other.step();
+        EXPECT_NEAR(pair.energy, other.energy, 1e-9 * before) << n;
+        EXPECT_NEAR(pair.lost, other.lost, 1e-9 * before) << n;
+        EXPECT_NEAR(pair.damped, other.damped, 1e-9 * before) << n;
+        EXPECT_NEAR(pair.exchanged, other.exchanged, 1e-9 * before) << n;
+      }
+      EXPECT_GT(pair.lost, 0.01 * before);
+    }
+}
+
 TEST(ContactEnergies, AnImpactUnderWeightIsBalancedToTheLoadOfAStep) {
   // A sphere that bounces on a plane, rough, while it also slides along: weight, spring, friction,
   // to rest. The weight acts for a step on what moves otherwise then: g dt over the speed.

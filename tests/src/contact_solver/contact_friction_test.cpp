@@ -92,7 +92,7 @@ TEST(ContactFriction, ObliqueImpactsTendToThoseOfTheEquationsOfMotion) {
         for (int phase = 0; phase < 2 * phases; phase++) {
           const double dt = impact.contact_time() / parts[k];
           Pair pair = impact.pair(dt, dt * (2.0 + (phase / 2 + 0.37) / phases));
-          pair.recorded = phase % 2;
+          pair.short_path = phase % 2;
           let_part(pair);
           errors[k] = std::max(errors[k], difference(pair, expected, impact.speed));
         }
@@ -139,7 +139,7 @@ TEST(ContactFriction, AnImpactOverAChangeOfStepIsStillOfSecondOrder) {
         for (int when = 1; when <= static_cast<int>(part) + 5; when++) {
           const double dt = impact.contact_time() / part, longest = std::max(to, 1.0) / part;
           Pair pair = impact.pair(dt, 2.37 * dt);
-          pair.recorded = when % 2;
+          pair.short_path = when % 2;
           pair.steps(when);
           pair.change_step(to * dt);
           let_part(pair);

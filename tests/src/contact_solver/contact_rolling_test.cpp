@@ -63,9 +63,9 @@ struct Swing {
 TEST(ContactRolling, APersistentContactSwingsAndDecaysExactlyAtAnyStep) {
   // m_r v' = -K_r s - eta_r v, s' = v: s = (v0/q) exp(-alpha t) sin(q t) at time levels, the
   // staggered velocity its difference over a step.
-  for (const bool recorded : {false, true}) {
+  for (const bool short_path : {false, true}) {
     Pressed pair(rolling(0.1), small, large);
-    pair.recorded = recorded;
+    pair.short_path = short_path;
     ASSERT_TRUE(pair.is_persistent());
     const Swing swing(pair.bodies().inverse_rolling_mass());
     const Vector3 v0 = pair.bodies().rolling_radius() * Vector3{0.0, 1e-3, -2e-3};

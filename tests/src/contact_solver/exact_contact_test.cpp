@@ -49,15 +49,15 @@ double parting(const Pair& pair) {
 
 }  // namespace
 
-TEST(ExactContact, RestitutionIsExactForAnyStepAndPhaseWhetherRecordedOrNot) {
+TEST(ExactContact, RestitutionIsExactForAnyStepAndPhaseByEitherPath) {
   const double speed = 0.02;
-  for (const bool recorded : {false, true})
+  for (const bool short_path : {false, true})
     for (const double part : {4.0, 8.0, 50.0})
       for (int phase = 0; phase < phases; phase++) {
         const double dt = thesis::contact_time / part, wait = dt * (2.0 + (phase + 0.37) / phases);
         auto pair = meeting<ContactSolver, ContactHistory::normal_only>(thesis::contact(), {}, dt,
                                                                         core, speed, 0.0, wait);
-        pair.recorded = recorded;
+        pair.short_path = short_path;
         ASSERT_TRUE(part_within(pair, 5.0 * thesis::contact_time));
         const double e =
             contact::normal_contact(thesis::contact(), thesis::reduced_mass).restitution();
@@ -82,7 +82,7 @@ TEST(ExactContact, KeepsMomentumAndAngularMomentum) {
     const double dt = thesis::contact_time / (4.0 + n);
     Spheres<ContactSolver, ContactHistory::with_rolling> some(
         p, thesis::adhesion(n % 2 ? 2e-18 : 2e-16), dt);
-    some.recorded = n % 4 < 2;
+    some.short_path = n % 4 < 2;
     some.exchanges = n % 8 < 4;
     const double size = 0.8e-3 + 0.5e-3;
     for (int k = 0; k < 4; k++) {
@@ -176,14 +176,14 @@ TEST(ExactContact, EscapesFromAdhesionAtTheVelocityOfTheClosedFormAtAnyAngle) {
 }
 
 TEST(ExactContact, ExchangeOfTheParticlesChangesNothing) {
-  for (const bool recorded : {false, true})
+  for (const bool short_path : {false, true})
     for (const double part : {4.0, 10.0})
       for (const double hamaker : {7.49e-19, 2e-16}) {  // parts, sticks
         const double dt = thesis::contact_time / part;
         const auto run = [&](bool exchanges) {
           Spheres<ContactSolver, ContactHistory::with_rolling> pair(rough(),
                                                                     thesis::adhesion(hamaker), dt);
-          pair.recorded = recorded;
+          pair.short_path = short_path;
           pair.exchanges = exchanges;
           pair.add(thesis::particle(), {}, {0.05, 0.01, 0.0}, {30.0, -200.0, 100.0});
           pair.add(large, {1.3001e-3, 0.0, 0.0}, {-0.05, 0.03, -0.02}, {100.0, 150.0, -200.0});

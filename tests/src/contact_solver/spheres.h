@@ -38,6 +38,7 @@ class Spheres {
   Vector3 gravity{};
   bool exchanges = false;  ///< i and j in every step, with the stored values
   bool recorded = true;    ///< whether energies are asked for
+  bool short_path = true;  ///< whether persistent contacts are computed by advance_persistent()
   double lost = 0.0;       ///< so far, in all
   double damped = 0.0;     ///< so far, in dashpots of friction, and in rolling
   double exchanged = 0.0;
@@ -71,20 +72,22 @@ class Spheres {
       if (exchanges && c.j >= 0) exchange(c);
       const PairMotion now = motion(c);
       const ExactContact<Solver>& law = this->law(c);
-      double values[SIZE];
+      double before[SIZE], values[SIZE];
+      c.history.store(before, SIZE);
       c.history.store(values, SIZE);
       c.last = {};
       c.energies = {};
       const Vector3 acceleration = relative_acceleration(c);
       if (last_dt_ != dt_) law.change_step(last_dt_, now, acceleration, c.history);
-      if (!recorded && !first_ && last_dt_ == dt_ && c.j >= 0 &&
-          law.template advance_persistent<SIZE>(InSteps{now}, values, c.last)) {
+      ContactEnergies* const energies = recorded ? &c.energies : nullptr;
+      if (short_path && !first_ && last_dt_ == dt_ && c.j >= 0 &&
+          law.template advance_persistent<SIZE>(InSteps{now}, values, c.last, energies)) {
         c.history = ContactHistory::stored(values, SIZE);
+        if (recorded) c.energies.stored = law.template stored_persistent<SIZE>(now, before, values);
       } else {
-        c.last = law.template advance<SIZE>(now, acceleration, first_, c.history,
-                                            recorded ? &c.energies : nullptr);
-        count(law, now, c);
+        c.last = law.template advance<SIZE>(now, acceleration, first_, c.history, energies);
       }
+      count(law, now, c);
       const double inverse = 1.0 / length;
       const PairImpulse& a = c.last.action;
       push(c, a, next);

@@ -115,10 +115,10 @@ TEST(ThreeSpheres, AContactExchangesWithAnotherTheEnergyOfForcesThatActOneStepLa
       const double without =
           line.integrated(0.125 * dt * dt * exact.exchanged).middle - exact.middle;
       ASSERT_GT(std::abs(without), 1e-6 * speed);
-      for (const bool recorded : {false, true})
+      for (const bool short_path : {false, true})
         for (int phase = 0; phase < 8; phase++) {
           Elastic s = line.spheres(dt, dt * (phase + 0.37) / 8.0);
-          s.recorded = recorded;
+          s.short_path = short_path;
           let_part(s, 4.0 * contact_time);
           EXPECT_NEAR(s.spheres[1].v.x, exact.middle, 0.1 * std::abs(without))
               << later << " " << part << " " << phase;
@@ -156,7 +156,7 @@ TEST(ThreeSpheres, ElasticOnesOnALineKeepTheirEnergyToRounding) {
     for (int phase = 0; phase < 8; phase++) {
       const double dt = contact_time / part;
       Elastic s = OnALine(0.1 * phase * contact_time).spheres(dt, dt * (phase + 0.37) / 8.0);
-      s.recorded = phase % 2;
+      s.short_path = phase % 2;
       const double before = s.kinetic_energy();
       let_part(s, 4.0 * contact_time);
       // Rounding of distances over a step, in each step of two contacts.
