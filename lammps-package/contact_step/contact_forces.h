@@ -49,20 +49,20 @@ class ContactForces {
   /// Whether apply_persistent() can be called in this step.
   bool may_persist() const { return may_persist_; }
   /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
-  /// step, without energies. `now`, `does`, `linear`: as in ExactContact. Returns false, and does
-  /// nothing, for any other contact, and in the step in which the engine has exchanged i and j.
-  template <bool linear, class Motion>
+  /// step, without energies. `now`, `By`: as in ExactContact; the impulses of `does` are times
+  /// kick(). Returns false, and does nothing, for any other contact, and in the step in which the
+  /// engine has exchanged i and j.
+  template <class By, class Motion>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, std::ptrdiff_t i, std::ptrdiff_t j,
                                                const Motion& now, double* values,
                                                FrictionalStep& does) const {
     if (c.is_idle(now, values, moved_by_forces_)) return true;
-    if (!c.template advance_persistent<SIZE, linear>(now, values, does)) return false;
-    Vector3 pushed = kick_ * does.action.impulse;
-    add(forces_ + 3 * i, -1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
+    if (!c.template advance_persistent<SIZE, By>(now, values, kick_, does)) return false;
+    add(forces_ + 3 * i, -1.0, does.action.impulse);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, 1.0, does.action.torque_i);
     if (j >= nlocal_) return true;
-    add(forces_ + 3 * j, 1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, does.action.torque_j);
+    add(forces_ + 3 * j, 1.0, does.action.impulse);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, 1.0, does.action.torque_j);
     return true;
   }
 

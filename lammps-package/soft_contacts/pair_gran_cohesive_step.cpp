@@ -116,33 +116,44 @@ void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
 template <class Cohesion>
 template <int SIZE, class Contact>
 void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
+  namespace contact = cohesion::contact;
   contacts.clear();
+  // A loop for each normal law, of results that stay in registers; one for laws that differ and for
+  // steps with momentum fluxes.
+  if (Contact::is_exact && !step->sums_flux() && coefficients.only_law()) {
+    switch (*coefficients.only_law()) {
+      case contact::LawKind::linear:
+        return compute_by<SIZE, LinearContact>(contacts);
+      case contact::LawKind::hertz:
+        return compute_by<SIZE, IntegratedContact<contact::HertzSpringDashpot>>(contacts);
+      case contact::LawKind::jkr:
+        return compute_by<SIZE, IntegratedContact<contact::JkrSpringDashpot>>(contacts);
+    }
+  }
+  compute_by<SIZE, ContactMotion>(contacts);
+}
+
+/// The same, with contacts that move by `By`.
+template <class Cohesion>
+template <int SIZE, class By, class Contact>
+void PairGranCohesive<Cohesion>::compute_by(Contacts<Contact>& contacts) {
   const ContactForces<Contact, SIZE> forces(atom, step);
   const StaggeredParticles now = particles();
-  // Separate loops for steps with momentum fluxes and for laws that are not all linear: otherwise
-  // the results of a contact stay in registers.
-  const auto loop = [&](auto sums_flux, auto linear) {
-    const bool full = evflag || !forces.may_persist();
-    close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
-      const int i = pair.i, j = pair.j;
-      const int c = contact(contacts, now, i, j);
-      if (c == contacts.NONE) return hold(i, j, *pair.has_history, pair.history);
-      const Contact& law = contacts.all[c];
-      FrictionalStep does;
-      if (full || !*pair.has_history ||
-          !forces.template apply_persistent<linear>(law, i, j, StaggeredPair{now, i, j},
-                                                    pair.history, does))
-        compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
-      else if constexpr (sums_flux)
-        add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
-    });
-  };
-  if (step->sums_flux())
-    loop(std::true_type(), std::false_type());
-  else if (coefficients.all_linear())
-    loop(std::false_type(), std::true_type());
-  else
-    loop(std::false_type(), std::false_type());
+  const bool full = evflag || !forces.may_persist();
+  const bool sums_flux = std::is_same_v<By, ContactMotion> && step->sums_flux();
+  close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
+    const int i = pair.i, j = pair.j;
+    const int c = contact(contacts, now, i, j);
+    if (c == contacts.NONE) return hold(i, j, *pair.has_history, pair.history);
+    const Contact& law = contacts.all[c];
+    FrictionalStep does;
+    if (full || !*pair.has_history ||
+        !forces.template apply_persistent<By>(law, i, j, StaggeredPair{now, i, j}, pair.history,
+                                              does))
+      compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
+    else if (sums_flux)
+      add_flux(forces.owned_fraction(j) / forces.kick(), now.motion(i, j), law, does);
+  });
 }
 
 template <class Cohesion>

@@ -56,29 +56,21 @@ class ContactSpring {
                                  contact::point_of(law_, now).radius_stiffness);
   }
 
-  /// The overlap of a persistent contact, and how much larger it was at the last time level,
-  /// [length].
-  struct OverlapChange {
-    double now, decrease;
-  };
   /// The impulse of a persistent contact whose normal motion does `normal`, that was persistent in
-  /// the last step, too. `values`: the stored spring; `linear`: the normal law is known to be so.
+  /// the last step, too. `values`: the stored spring; `linear`: whether the normal law is.
   template <bool linear>
   [[gnu::always_inline]] Vector3 persistent_impulse(const contact::Plane& plane,
                                                     const Vector3& rate,
                                                     const PersistentStep& normal,
-                                                    const OverlapChange& overlap,
                                                     double* values) const {
     DiscreteSpring::State state{vector(values)};
     Vector3 impulse;
-    if (linear || !stiffens_) {
+    if constexpr (linear) {
       bool slips;
       impulse = constant_.advance_persistent(plane, rate, normal.repulsion, true, state, slips);
     } else {
-      const double before = normal.radius_stiffness_before;
-      const double left = before >= 0.0
-                              ? contact::stretch_left(before, normal.at.radius_stiffness)
-                              : left_of_stretch(overlap.now + overlap.decrease, overlap.now);
+      const double left =
+          contact::stretch_left(normal.radius_stiffness_before, normal.at.radius_stiffness);
       state.stretch = left * state.stretch;
       impulse = constant_.advance_persistent(plane, rate, normal.repulsion, constants_at(normal.at),
                                              state);

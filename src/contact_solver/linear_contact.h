@@ -108,19 +108,13 @@ class LinearContact {
   /// certain to be in contact until the next time level under the `load` [length/time^2] of the
   /// last step, or does not bear that load.
   [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
-                                                 const ContactState& state,
+                                                 double /*centrifugal*/, const ContactState& state,
+                                                 double /*touch_energy*/,
                                                  PersistentStep& step) const {
     const bool taut = is_taut(now.overlap, load);
     if (!force_of(now, taut, load, step)) return false;
     set_dissipated(state.last_rate, now.rate, step);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
-    return true;
-  }
-  /// The same of a contact that is not taut, nor was in the last step; false where it is.
-  [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load, double last_rate,
-                                            PersistentStep& step) const {
-    if (is_taut(now.overlap, load) || !force_of(now, false, load, step)) return false;
-    set_dissipated(last_rate, now.rate, step);
     return true;
   }
   /// The same in the first step after a resolved one.

@@ -55,8 +55,8 @@ class SampledContact {
   }
 
   /// Sampled contacts are all alike.
-  template <int SIZE, bool linear = false, class Motion>
-  bool advance_persistent(const Motion&, double*, FrictionalStep&) const {
+  template <int SIZE, class By, class Motion>
+  bool advance_persistent(const Motion&, double*, double, FrictionalStep&) const {
     return false;
   }
   template <class Motion>

@@ -78,7 +78,7 @@ class Spheres {
       const Vector3 acceleration = relative_acceleration(c);
       if (last_dt_ != dt_) law.change_step(last_dt_, now, acceleration, c.history);
       if (!recorded && !first_ && last_dt_ == dt_ && c.j >= 0 &&
-          law.template advance_persistent<SIZE>(InSteps{now}, values, c.last)) {
+          law.template advance_persistent<SIZE, ContactMotion>(InSteps{now}, values, 1.0, c.last)) {
         c.history = ContactHistory::stored(values, SIZE);
       } else {
         c.last = law.template advance<SIZE>(now, acceleration, first_, c.history,
