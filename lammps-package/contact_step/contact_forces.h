@@ -48,17 +48,17 @@ class ContactForces {
   /// Whether apply_persistent() can be called in this step.
   bool may_persist() const { return may_persist_; }
   /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
-  /// step, without stored energies. `now`, `does`, `linear`: as in ExactContact; `tallies`: the
-  /// energy balance is active, and gets the losses. Returns false, and does nothing, for any other
-  /// contact, and in the step in which the engine has exchanged i and j.
-  template <bool linear, bool tallies, class Motion>
+  /// step, without stored energies. `now`, `By`: as in ExactContact; the impulses of `does` are
+  /// times kick(); `tallies`: the energy balance is active, and gets the losses. Returns false, and
+  /// does nothing, for any other contact, and in the step in which the engine has exchanged i and
+  /// j.
+  template <class By, bool tallies, class Motion>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, std::ptrdiff_t i, std::ptrdiff_t j,
                                                const Motion& now, double* values,
                                                FrictionalStep& does) const {
     if (c.is_idle(now, values, moved_by_forces_)) return true;
     ContactEnergies energies;
-    if (!c.template advance_persistent<SIZE, linear>(now, values, does,
-                                                     tallies ? &energies : nullptr))
+    if (!c.template advance_persistent<SIZE, By>(now, values, does, tallies ? &energies : nullptr))
       return false;
     if constexpr (tallies) tally_persistent(i, j, does.friction, energies);
     Vector3 pushed = kick_ * does.action.impulse;

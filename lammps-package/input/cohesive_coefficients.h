@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -101,10 +102,16 @@ class CohesiveCoefficients : protected Pointers {
   double range_of_attraction(int pair_index) const {
     return Cohesion::range(Scheme::sampled, parameters_[pair_index], 1.0, 1.0);
   }
-  /// Whether all contacts have linear springs. Of the given ones: mixing adds no others.
-  bool all_linear() const {
-    return std::none_of(parameters_.begin(), parameters_.end(),
-                        [](const Parameters& p) { return p.contact.is_hertz(); });
+  /// The normal law of all contacts of the run, if they have the same.
+  std::optional<cohesion::contact::LawKind> only_law() const {
+    std::optional<cohesion::contact::LawKind> only;
+    for (int k = 0; k < type_pairs(); k++) {
+      if (!prepared_[k]) continue;
+      const auto kind = kind_of_law(contacts_[k]);
+      if (only && *only != kind) return std::nullopt;
+      only = kind;
+    }
+    return only;
   }
   /// Whether any contact resists rolling. Of the given ones: mixing adds none.
   bool any_rolls() const {

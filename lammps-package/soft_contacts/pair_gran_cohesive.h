@@ -143,6 +143,8 @@ class PairGranCohesive : public Pair,
   void find_close();
   template <int SIZE, class Contact>
   void compute_contacts(Contacts<Contact>&);
+  template <int SIZE, class By, class Contact>
+  void compute_by(Contacts<Contact>&);
   template <int SIZE, class Contact>
   bool read_persistent(const ContactForces<Contact, SIZE>&, const Contact&, int i, int j,
                        double* values);

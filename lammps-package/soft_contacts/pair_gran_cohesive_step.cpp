@@ -116,13 +116,32 @@ void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
 template <class Cohesion>
 template <int SIZE, class Contact>
 void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
+  namespace contact = cohesion::contact;
   contacts.clear();
+  // A loop for each normal law, of results that stay in registers; one for laws that differ and for
+  // steps with momentum fluxes.
+  if (Contact::is_exact && !step->sums_flux() && coefficients.only_law()) {
+    switch (*coefficients.only_law()) {
+      case contact::LawKind::linear:
+        return compute_by<SIZE, LinearContact>(contacts);
+      case contact::LawKind::hertz:
+        return compute_by<SIZE, IntegratedContact<contact::HertzSpringDashpot>>(contacts);
+      case contact::LawKind::jkr:
+        return compute_by<SIZE, IntegratedContact<contact::JkrSpringDashpot>>(contacts);
+    }
+  }
+  compute_by<SIZE, ContactMotion>(contacts);
+}
+
+/// The same, with contacts that move by `By`.
+template <class Cohesion>
+template <int SIZE, class By, class Contact>
+void PairGranCohesive<Cohesion>::compute_by(Contacts<Contact>& contacts) {
   const ContactForces<Contact, SIZE> forces(atom, step);
   const StaggeredParticles now = particles();
-  // Separate loops for steps with momentum fluxes, for steps with an energy balance, and for laws
-  // that are not all linear: otherwise the results of a contact stay in registers.
-  const auto loop = [&](auto sums_flux, auto tallies, auto linear) {
+  const auto loop = [&](auto tallies) {
     const bool full = evflag || step->energy_tally.is_read() || !forces.may_persist();
+    const bool sums_flux = std::is_same_v<By, ContactMotion> && step->sums_flux();
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
       const int c = contact(contacts, now, i, j);
@@ -130,25 +149,17 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
       const Contact& law = contacts.all[c];
       FrictionalStep does;
       if (full || !*pair.has_history ||
-          !forces.template apply_persistent<linear, tallies>(law, i, j, StaggeredPair{now, i, j},
-                                                             pair.history, does))
+          !forces.template apply_persistent<By, tallies>(law, i, j, StaggeredPair{now, i, j},
+                                                         pair.history, does))
         compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
-      else if constexpr (sums_flux)
+      else if (sums_flux)
         add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
     });
   };
-  const auto loop_with = [&](auto tallies) {
-    if (step->sums_flux())
-      loop(std::true_type(), tallies, std::false_type());
-    else if (coefficients.all_linear())
-      loop(std::false_type(), tallies, std::true_type());
-    else
-      loop(std::false_type(), tallies, std::false_type());
-  };
   if (step->energy_tally.is_active())
-    loop_with(std::true_type());
+    loop(std::true_type());
   else
-    loop_with(std::false_type());
+    loop(std::false_type());
 }
 
 template <class Cohesion>
@@ -172,8 +183,9 @@ bool PairGranCohesive<Cohesion>::read_persistent(const ContactForces<Contact, SI
   FrictionalStep does;
   const StaggeredPair pair{now, i, j};
   const bool tallies = step->energy_tally.is_active();
-  if (!(tallies ? forces.template apply_persistent<false, true>(c, i, j, pair, values, does)
-                : forces.template apply_persistent<false, false>(c, i, j, pair, values, does)))
+  if (!(tallies
+            ? forces.template apply_persistent<ContactMotion, true>(c, i, j, pair, values, does)
+            : forces.template apply_persistent<ContactMotion, false>(c, i, j, pair, values, does)))
     return false;
   const PairMotion motion = now.motion(i, j);
   const StoredEnergies stored = c.template stored_persistent<SIZE>(motion, before, values);

@@ -101,7 +101,8 @@ inline double contact_steps_of(const ContactNumbers& n, const SchemeLimits& limi
   return integrated ? n.steps_per_normal_contact() : n.steps_per_contact();
 }
 
-inline Finding contact_steps(const ContactNumbers& n, SchemeLimits limits) {
+/// The step that it names is at most steady_step [time].
+inline Finding contact_steps(const ContactNumbers& n, SchemeLimits limits, double steady_step) {
   const double steps = contact_steps_of(n, limits);
   if (!n.parameters().is_linear && !limits.samples_force) {
     limits.steps_for_warning = limits.integrated_for_warning;
@@ -114,7 +115,8 @@ inline Finding contact_steps(const ContactNumbers& n, SchemeLimits limits) {
   const std::string least = limits.steps_for_error > 0.0
                                 ? text(" and cannot do with fewer than ", limits.steps_for_error)
                                 : "";
-  const double named = named_step(n.parameters().dt * steps / limits.steps_for_warning);
+  const double named =
+      named_step(std::min(n.parameters().dt * steps / limits.steps_for_warning, steady_step));
   return {Subject::contact_steps, fatal ? Severity::error : Severity::warning,
           sentence + text(", the ", limits.scheme, " scheme should have ", limits.steps_for_warning,
                           least, ": reduce the time step to ", named, " or soften the spring"),
@@ -132,13 +134,17 @@ inline Finding stability(const ContactNumbers& n) {
       limit};
 }
 
-/// Where a particle has several contacts, or will have.
-inline Finding steadiness(const ContactNumbers& n, bool several, bool plane) {
+/// The largest step [time] in which a particle with several contacts is steady.
+inline double steady_step(const ContactNumbers& n, bool plane) {
   using contact_solver::ClosestPacking;
   const bool at_wall = !std::isfinite(n.parameters().radius_i + n.parameters().radius_j);
-  const double limit = n.steady_step(at_wall ? ClosestPacking::at_wall()
-                                     : plane ? ClosestPacking::in_plane()
-                                             : ClosestPacking::in_space());
+  return n.steady_step(at_wall ? ClosestPacking::at_wall()
+                       : plane ? ClosestPacking::in_plane()
+                               : ClosestPacking::in_space());
+}
+
+/// Where a particle has several contacts, or will have. limit [time]: steady_step().
+inline Finding steadiness(const ContactNumbers& n, bool several, double limit) {
   const double dt = n.parameters().dt;
   if (dt <= limit)
     return {Subject::steadiness, Severity::ok,
@@ -211,10 +217,13 @@ inline Finding overlap(Subject subject, const char* name, double over_diameter,
 }  // namespace detail
 
 /// One finding for each subject that the scheme and the pair have, in the order of Subject.
-inline std::vector<Finding> advise(const ContactNumbers& n, const SchemeLimits& limits) {
+/// steady_step [time]: the largest one of particles with several contacts; infinite: there are
+/// none.
+inline std::vector<Finding> advise(const ContactNumbers& n, const SchemeLimits& limits,
+                                   double steady_step = std::numeric_limits<double>::infinity()) {
   const PairParameters& p = n.parameters();
   const bool attracts = p.adhesion.force > 0.0;
-  std::vector<Finding> findings{detail::contact_steps(n, limits)};
+  std::vector<Finding> findings{detail::contact_steps(n, limits, steady_step)};
   if (limits.samples_force) findings.push_back(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
     findings.push_back(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -230,9 +231,11 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
     report.table += detail::row(c, n, limits, escape_velocity(c, run));
-    std::vector<Finding> findings = advise(n, limits);
-    if (!limits.samples_force && run.crowd != Crowd::pair)
-      findings.push_back(detail::steadiness(n, run.crowd == Crowd::several, run.plane));
+    const bool packs = !limits.samples_force && run.crowd != Crowd::pair;
+    const double steady_step =
+        packs ? detail::steady_step(n, run.plane) : std::numeric_limits<double>::infinity();
+    std::vector<Finding> findings = advise(n, limits, steady_step);
+    if (packs) findings.push_back(detail::steadiness(n, run.crowd == Crowd::several, steady_step));
     for (const Finding& finding : findings) {
       const bool of_overlap =
           finding.subject == Subject::static_overlap || finding.subject == Subject::impact_overlap;

@@ -100,15 +100,23 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
   return LinearSpringDashpot::from_restitution(p.stiffness, p.restitution, reduced_mass);
 }
 
+/// The alternatives of NormalLaw.
+enum class LawKind { linear, hertz, jkr };
+inline LawKind kind_of_law(const ContactParameters& p) {
+  if (!p.is_hertz()) return LawKind::linear;
+  return p.work_of_adhesion > 0.0 ? LawKind::jkr : LawKind::hertz;
+}
+
 /// The normal law of a pair of reduced radius R* = R_i R_j/(R_i + R_j) [length], R_i next to a
 /// wall, and reduced mass mu.
 inline NormalLaw normal_law(const ContactParameters& p, double reduced_radius,
                             double reduced_mass) {
-  if (!p.is_hertz()) return normal_contact(p, reduced_mass);
+  const LawKind kind = kind_of_law(p);
+  if (kind == LawKind::linear) return normal_contact(p, reduced_mass);
   const auto hertz =
       HertzSpringDashpot::from_restitution(p.modulus, reduced_radius, p.restitution, reduced_mass);
-  if (p.work_of_adhesion > 0.0) return JkrSpringDashpot(hertz, reduced_radius, p.work_of_adhesion);
-  return hertz;
+  if (kind == LawKind::hertz) return hertz;
+  return JkrSpringDashpot(hertz, reduced_radius, p.work_of_adhesion);
 }
 
 /// The tangential contact that belongs to a normal one.

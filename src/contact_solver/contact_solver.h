@@ -56,29 +56,24 @@ class ContactSolver : public PairCourse {
     return by_all - own / reduced_mass_ * along / std::hypot(along, step() * now.sideways);
   }
 
-  /// Whether contacts move in closed form.
-  bool is_linear() const { return std::holds_alternative<LinearContact>(contact()); }
   /// A step of a contact that was persistent in the last one and certainly is in this one. False,
   /// and nothing done, where that is not certain. The other forces are known from the motion.
-  [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
-                                                 PersistentStep& step) const {
-    return is_linear() ? advance_persistent_as<LinearContact>(now, state, step)
-                       : advance_integrated(now, state, step);
+  bool advance_persistent(const DistanceMotion& now, ContactState& state,
+                          PersistentStep& step) const {
+    const double touch_energy = adhesion_energy(0.0);
+    return std::visit(
+        [&](const auto& by) { return advance_persistent(by, now, touch_energy, state, step); },
+        contact());
   }
-  /// The same of a contact that is known to be linear, and false where it is taut, on its stored
-  /// values.
-  [[gnu::always_inline]] bool advance_slack(const DistanceMotion& now, double* values,
-                                            PersistentStep& step) const {
-    const auto* const by_law = std::get_if<LinearContact>(&contact());
-    if (!by_law) __builtin_unreachable();
-    const double last_rate = ContactState::last_rate_of(values);
-    const double last_force = ContactState::force_of(values);
-    const double load = load_of(now.rate, last_rate, last_force);
+  /// The same by contact(), of its own type. touch_energy: adhesion_energy() at touch.
+  template <class Contact>
+  [[gnu::always_inline]] bool advance_persistent(const Contact& by, const DistanceMotion& now,
+                                                 double touch_energy, ContactState& state,
+                                                 PersistentStep& step) const {
+    const double load = load_of(now.rate, state.last_rate, state.force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
-    if (!by_law->advance_slack(point, load, now, last_rate, last_force, step)) return false;
-    ContactState state = ContactState::stored(values);
+    if (!by.advance_persistent(point, load, now, state, touch_energy, step)) return false;
     go_on(now.rate, load - now.centrifugal, step, state);
-    state.store_persistent(values);
     return true;
   }
 
@@ -268,41 +263,19 @@ class ContactSolver : public PairCourse {
   double load_of(double mean_rate, double last_rate, double force) const {
     return (mean_rate - last_rate) * inverse_step_ - force * inverse_mass_;
   }
-  /// advance_persistent(), by what moves the contact.
-  template <class Contact>
-  [[gnu::always_inline]] bool advance_persistent_as(const DistanceMotion& now, ContactState& state,
-                                                    PersistentStep& result) const {
-    const Contact& by_law = *std::get_if<Contact>(&contact());
-    const double load = load_of(now.rate, state.last_rate, state.force);
-    ContactPoint point{contact_distance() - now.distance, now.rate};
-    if constexpr (std::is_same_v<Contact, LinearContact>) {
-      if (!by_law.advance_persistent(point, load, now, state, result)) return false;
-    } else if (!by_law.advance_persistent(point, load, now.centrifugal, state,
-                                          adhesion_energy(point.overlap), result)) {
-      return false;
-    }
-    go_on(now.rate, load - now.centrifugal, result, state);
-    return true;
-  }
-  [[gnu::noinline]] bool advance_integrated(const DistanceMotion& now, ContactState& state,
-                                            PersistentStep& result) const {
-    return std::visit(
-        [&](const auto& c) {
-          return advance_persistent_as<std::decay_t<decltype(c)>>(now, state, result);
-        },
-        contact());
-  }
-
   [[gnu::always_inline]] void go_on(double rate, double external, PersistentStep& result,
                                     ContactState& state) const {
-    result.exchanged = account_.exchanged(state.force, external, state);
-    state.account += result.account + result.exchanged;
+    state.account += result.account;
+    if (account_.exchanges()) {
+      result.exchanged = account_.exchanged(state.force, external, state);
+      state.account += result.exchanged;
+      state.force_before = state.force;
+      state.external_before = external;
+    }
     state.phase = result.taut ? ContactState::taut : ContactState::persistent;
     state.velocity_offset = result.true_rate;
     state.last_rate = rate;
-    state.force_before = state.force;
     state.force = result.force;
-    state.external_before = external;
     state.contact_time = step();
   }
 

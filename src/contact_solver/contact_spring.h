@@ -64,40 +64,32 @@ class ContactSpring {
                                  contact::point_of(law_, now).radius_stiffness);
   }
 
-  /// The overlap of a persistent contact, and how much larger it was at the last time level,
-  /// [length].
-  struct OverlapChange {
-    double now, decrease;
-  };
   /// The impulse of a persistent contact whose normal motion does `normal`, that was persistent in
-  /// the last step, too. `values`: the stored spring; `linear`: the normal law is known to be so;
-  /// `losses` may be null.
+  /// the last step, too. `values`: the stored spring; `linear`: whether the normal law is;
+  /// overlap_before [length]: at the last time level; `losses` may be null.
   template <bool linear>
   [[gnu::always_inline]] Vector3 persistent_impulse(const contact::Plane& plane,
                                                     const Vector3& rate,
                                                     const PersistentStep& normal,
-                                                    const OverlapChange& overlap, double* values,
+                                                    double overlap_before, double* values,
                                                     DiscreteSpring::Losses* losses) const {
     DiscreteSpring::State last{vector(values), vector(values + 3)}, state{last.stretch};
     Vector3 impulse;
     bool slips;
-    if (linear || !stiffens_) {
+    if constexpr (linear) {
       impulse = constant_.advance_persistent(plane, rate, normal.repulsion, true, state, slips);
       if (losses)
         *losses = constant_.losses(plane, rate, {constant_.constants(), last}, 1.0,
                                    {constant_.constants(), state}, slips);
     } else {
-      const double before = normal.radius_stiffness_before;
-      const double left = before >= 0.0
-                              ? contact::stretch_left(before, normal.at.radius_stiffness)
-                              : left_of_stretch(overlap.now + overlap.decrease, overlap.now);
+      const double left =
+          contact::stretch_left(normal.radius_stiffness_before, normal.at.radius_stiffness);
       state.stretch = left * state.stretch;
       const DiscreteConstants here = constants_at(normal.at);
       impulse = constant_.advance_persistent(plane, rate, normal.repulsion, here, state, slips);
       if (losses)
-        *losses =
-            constant_.losses(plane, rate, {constants_at(overlap.now + overlap.decrease), last},
-                             left, {here, state}, slips);
+        *losses = constant_.losses(plane, rate, {constants_at(overlap_before), last}, left,
+                                   {here, state}, slips);
     }
     ContactHistory::store(state, values);
     return impulse;

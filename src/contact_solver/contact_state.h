@@ -48,6 +48,11 @@ struct ContactState {
     values[5] = external_before;
     values[6] = account;
   }
+  /// The same of a contact whose stored phase is persistent.
+  [[gnu::always_inline]] static ContactState stored_persistent(const double* values) {
+    return {persistent, values[1], values[2], values[3],
+            values[4],  values[5], values[6], values[7]};
+  }
   /// Whether stored values are those of a pair in range without contact, with nothing pending of
   /// the last two steps.
   static bool is_idle(const double* values) {
@@ -56,8 +61,6 @@ struct ContactState {
   static Phase phase_of(const double* values) {
     return static_cast<Phase>(static_cast<int>(values[0]));
   }
-  static double last_rate_of(const double* values) { return values[2]; }
-  static double force_of(const double* values) { return values[3]; }
   static ContactState stored(const double* values) {
     return {phase_of(values), values[1], values[2], values[3],
             values[4],        values[5], values[6], values[7]};

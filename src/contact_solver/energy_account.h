@@ -32,6 +32,8 @@ class EnergyAccount {
 
   /// Of a contact with friction.
   void leave_out_exchange() { exchanges_ = false; }
+  /// Whether exchanged() is anything but 0; otherwise it needs no state.
+  bool exchanges() const { return exchanges_; }
 
   /// R of a pair without a stored state, whose contact has the energy `stored`.
   static double at_start(double stored) { return -stored; }

@@ -45,7 +45,8 @@ class ExactContact {
         rolling_(ContactSpring::Kind::rolling, parameters, normal_law_, step,
                  bodies_.inverse_rolling_mass()),
         lowest_overlap_(solver_.lowest_overlap()),
-        friction_load_(solver_.friction_load()) {
+        friction_load_(solver_.friction_load()),
+        touch_energy_(solver_.adhesion_energy(0.0)) {
     if (sliding_.is_present() || rolling_.is_present()) solver_.leave_out_exchange();
   }
 
@@ -55,7 +56,7 @@ class ExactContact {
   /// Gap up to which the pair attracts, [length].
   double range() const { return solver_.outer_distance() - bodies_.distance(); }
   /// Whether there is any adhesion. That of a well as wide as the contact has no range.
-  bool attracts() const { return range() > 0.0 || solver_.adhesion_energy(0.0) < 0.0; }
+  bool attracts() const { return range() > 0.0 || touch_energy_ < 0.0; }
 
   /// Whether a pair without a stored state is in range at this distance [length].
   bool is_in_range(double distance) const { return distance <= solver_.entry_distance(); }
@@ -96,58 +97,26 @@ class ExactContact {
   }
 
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
-  /// so, and adds to `step` what it does. Returns false, and does nothing, where that is not
-  /// certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has;
-  /// `values`: the stored history; `linear`: the normal law is known to be linear; `energies`:
-  /// without stored ones, may be null.
-  ///
-  /// Motion and history are read where they are used: otherwise they do not fit into registers.
-  template <int SIZE, bool linear = false, class Motion>
+  /// so, and adds what it does to `step`. Returns false, and does nothing, where that
+  /// is not certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has; `values`:
+  /// the stored history; `By`: the alternative of ContactMotion that moves the contact, or that
+  /// itself, if it is not known; `energies`: without stored ones, may be null.
+  template <int SIZE, class By, class Motion>
   [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
                                                  FrictionalStep& step,
                                                  ContactEnergies* energies = nullptr) const {
     if (values[0] != ContactState::persistent) return false;
-    RelativeState relative = now.relative();
-    const Vector3& s = relative.separation;
-    const Vector3& v = relative.velocity;
-    const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
-    const double rate = inverse * dot(s, v);
-    DistanceMotion motion =
-        DistanceMotion::of_pair(square * inverse, inverse, rate, dot(v, v), step_);
-    PersistentStep does;
-    if constexpr (linear) {
-      if (!solver_.advance_slack(motion, values, does)) return false;
+    if constexpr (std::is_same_v<By, ContactMotion>) {
+      return std::visit(
+          [&](const auto& by) {
+            return advance_persistent_by<SIZE>(by, now, values, step, energies);
+          },
+          solver_.contact());
     } else {
-      ContactState normal = ContactState::stored(values);
-      if (!solver_.advance_persistent(motion, normal, does)) return false;
-      if (normal.phase != ContactState::persistent) return false;
-      normal.store_persistent(values);
+      const By* const by = std::get_if<By>(&solver_.contact());
+      if (!by) __builtin_unreachable();
+      return advance_persistent_by<SIZE>(*by, now, values, step, energies);
     }
-    step.repulsion = step_ * does.repulsion;
-    if (energies) set_persistent_losses(does, *energies);
-    if constexpr (SIZE >= ContactHistory::with_friction) {
-      auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
-      Vector3 across = v - (inverse * rate) * s;
-      const ContactSpring::OverlapChange overlap{bodies_.distance() - motion.distance,
-                                                 step_ * motion.rate};
-      DiscreteSpring::Losses slid, rolled;
-      step.friction = sliding_.persistent_impulse<linear>(
-          touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), does,
-          overlap, values + ContactHistory::normal_only, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
-      if constexpr (SIZE >= ContactHistory::with_rolling)
-        touch.add_rolling_impulse(
-            rolling_.persistent_impulse<linear>(
-                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does, overlap,
-                values + ContactHistory::with_friction, energies ? &rolled : nullptr),
-            step.action);
-      if (energies) {
-        energies->before.tangential_damping = slid.damped;
-        energies->before.rolling = rolled.all;
-      }
-    }
-    step.action.impulse += (step_ * does.force * inverse) * s;
-    return true;
   }
 
   /// What such a contact stores at the time level. `before`: the stored history that
@@ -276,6 +245,51 @@ class ExactContact {
   }
 
  private:
+  /// Motion and history are read where they are used: otherwise they do not fit into registers.
+  template <int SIZE, class By, class Motion>
+  [[gnu::always_inline]] bool advance_persistent_by(const By& by, const Motion& now, double* values,
+                                                    FrictionalStep& step,
+                                                    ContactEnergies* energies) const {
+    RelativeState relative = now.relative();
+    const Vector3& s = relative.separation;
+    const Vector3& v = relative.velocity;
+    const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
+    const double rate = inverse * dot(s, v);
+    DistanceMotion motion =
+        DistanceMotion::of_pair(square * inverse, inverse, rate, dot(v, v), step_);
+    PersistentStep does;
+    ContactState normal = ContactState::stored_persistent(values);
+    if (!solver_.advance_persistent(by, motion, touch_energy_, normal, does) || does.taut)
+      return false;
+    normal.store_persistent(values);
+    if (energies) set_persistent_losses(does, *energies);
+    step.repulsion = step_ * does.repulsion;
+    step.action.impulse = (step_ * does.force * inverse) * s;
+    if constexpr (SIZE >= ContactHistory::with_friction) {
+      constexpr bool linear = std::is_same_v<By, LinearContact>;
+      auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
+      Vector3 across = v - (inverse * rate) * s;
+      const double overlap_before = bodies_.distance() - motion.distance + step_ * motion.rate;
+      DiscreteSpring::Losses slid, rolled;
+      step.friction = sliding_.persistent_impulse<linear>(
+          touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), does,
+          overlap_before, values + ContactHistory::normal_only, energies ? &slid : nullptr);
+      touch.add_sliding_impulse(step.friction, step.action);
+      if constexpr (SIZE >= ContactHistory::with_rolling)
+        touch.add_rolling_impulse(
+            rolling_.persistent_impulse<linear>(
+                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does,
+                overlap_before, values + ContactHistory::with_friction,
+                energies ? &rolled : nullptr),
+            step.action);
+      if (energies) {
+        energies->before.tangential_damping = slid.damped;
+        energies->before.rolling = rolled.all;
+      }
+    }
+    return true;
+  }
+
   /// The normal motion of a step, as friction needs it.
   struct Normal {
     const ContactState& before;
@@ -396,6 +410,7 @@ class ExactContact {
   ContactSpring rolling_;
   double lowest_overlap_;
   double friction_load_;
+  double touch_energy_;  // of the adhesion at touch
 };
 
 }  // namespace cohesion::contact_solver

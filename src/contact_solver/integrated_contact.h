@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/hertz_spring_dashpot.h"
 #include "contact_solver/contact_state.h"
@@ -17,9 +18,9 @@ namespace cohesion::contact_solver {
 ///   f = F(x_n) + c(x_n) v_n - F_ad    v_n = (u + dt/2 ((F_ad - F)/mu - b))/(1 + c dt/(2 mu))
 ///
 /// where u is the mean rate of approach of the last step and b what other forces and turning do.
-/// Its first force gives the discrete orbit the true amplitude: v_(n+1/2) = v_n (1 - dt^2 F'/(8
-/// mu))
-/// + dt/2 a_n.
+/// Its first force gives the discrete orbit the true amplitude:
+///
+///   v_(n+1/2) = v_n (1 - dt^2 F'/(8 mu)) + dt/2 a_n
 ///
 /// In a resolved step the classical Runge-Kutta scheme moves x and y = v + C(x)/mu, C the integral
 /// of c over the overlap, in two sub-steps: y has no jump where a dashpot sets in. Whether and with
@@ -42,7 +43,9 @@ class IntegratedContact {
         inverse_mass_(1.0 / law.reduced_mass()),
         adhesion_(attraction),
         pull_(attraction / law.reduced_mass()),
+        bearable_(attraction > 0.0 ? pull_ : std::numeric_limits<double>::infinity()),
         step_(step),
+        twelfth_(step / 12.0),
         is_damped_(law.is_damped()),
         lowest_(law.lowest_overlap()),
         at_lowest_(law.at(law.lowest_overlap())),
@@ -94,19 +97,23 @@ class IntegratedContact {
     return time;
   }
 
-  /// centrifugal [length/time^2]: in `load`; adhesion_energy: of the pair as it is, [energy].
-  bool advance_persistent(const ContactPoint& now, double load, double centrifugal,
-                          const ContactState& state, double adhesion_energy,
-                          PersistentStep& step) const {
-    const Arrival here = arrive(now, load, centrifugal, state, adhesion_energy);
-    const double own = (adhesion_ - here.at.force - here.at.damping * here.discrete_rate);
-    if (!lasts(now.overlap, here.discrete_rate, own * inverse_mass_ - load, load)) return false;
-    step.force = -own;
-    step.repulsion = friction_load_ - own;
+  /// `load` contains the centrifugal acceleration. touch_energy [energy]: of the adhesion of a pair
+  /// that just touches.
+  [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
+                                                 const DistanceMotion& at,
+                                                 const ContactState& state, double touch_energy,
+                                                 PersistentStep& step) const {
+    const Arrival here =
+        arrive(now, load, at.centrifugal, state, touch_energy - adhesion_ * now.overlap);
+    const double spring_and_dashpot = here.at.force - here.at.damping * here.discrete_rate;
+    step.force = spring_and_dashpot - adhesion_;
+    if (!lasts(now.overlap, here.discrete_rate, load + step.force * inverse_mass_, load))
+      return false;
+    step.repulsion = spring_and_dashpot + (friction_load_ - adhesion_);
     step.account = here.work + here.dissipated +
-                   0.5 * step_ * step.force * (now.rate + 0.5 * step_ * centrifugal);
+                   0.5 * step_ * step.force * (now.rate + 0.5 * step_ * at.centrifugal);
     step.dissipated = here.dissipated;
-    step.true_rate = -here.rate;
+    step.true_rate = here.rate;
     step.at = here.at;
     step.radius_stiffness_before = here.radius_stiffness_before;
     return true;
@@ -117,23 +124,22 @@ class IntegratedContact {
     const double external = load - centrifugal;
     // A contact that is first seen at rest is there because of a load.
     const bool stands = state.is_new();
-    const double rate =
-        stands ? -at.rate : -(at.rate + state.velocity_offset + 0.5 * step_ * external);
+    const double rate = stands ? at.rate : at.rate + state.velocity_offset + 0.5 * step_ * external;
     const contact::LawPoint p = point(now.overlap);
-    const double own = (adhesion_ - p.force - p.damping * rate) * inverse_mass_;
-    const double borne = stands ? std::max(load, own) : load;
-    if (!lasts(now.overlap, rate, own - borne, borne)) return false;
-    const double other = stands ? 0.5 * own : -state.velocity_offset / step_;
+    const double own = (p.force - p.damping * rate - adhesion_) * inverse_mass_;
+    const double borne = stands ? std::max(load, -own) : load;
+    if (!lasts(now.overlap, rate, own + borne, borne)) return false;
+    const double other = stands ? 0.5 * own : state.velocity_offset / step_;
     const double first = other + 0.5 * own - 0.125 * step_ * p.stiffness * inverse_mass_ * rate;
-    step.force = -reduced_mass_ * first;
-    step.repulsion = friction_load_ - reduced_mass_ * own;
+    step.force = reduced_mass_ * first;
+    step.repulsion = friction_load_ + reduced_mass_ * own;
     step.account = 0.5 * step_ * step.force * at.rate;
-    step.true_rate = -rate;
+    step.true_rate = rate;
     return true;
   }
   double repulsion(const ContactPoint& now, const ContactState&) const {
     const contact::LawPoint p = point(now.overlap);
-    return p.force - p.damping * now.rate + friction_load_ - adhesion_;
+    return p.force - p.damping * now.rate + (friction_load_ - adhesion_);
   }
 
   double account(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
@@ -149,7 +155,7 @@ class IntegratedContact {
   double true_rate(const ContactPoint& now, const StaggeredMotion& at, double /*outward*/,
                    const ContactState& state, double adhesion_energy) const {
     const Arrival here = arrive(now, at, state, adhesion_energy);
-    if (here.discrete_rate >= 0.0) return -here.discrete_rate;
+    if (here.discrete_rate <= 0.0) return here.discrete_rate;
     return std::sqrt(std::max(here.energy_left - 2.0 * inverse_mass_ * here.dissipated, 0.0));
   }
 
@@ -175,12 +181,12 @@ class IntegratedContact {
   /// A persistent contact at the next time level.
   struct Arrival {
     contact::LawPoint at;
-    double discrete_rate;  ///< of approach, by the discrete motion, [length/time]
+    double discrete_rate;  ///< of the distance, by the discrete motion, [length/time]
     double rate;           ///< the same, by the energy where that is near, [length/time]
     double work;           ///< of the last force on its way here, [energy]
-    double energy_left;    ///< twice the energy of the approach per mass, if nothing was dissipated
+    double energy_left;    ///< twice that of the motion along the normal per mass, undamped
     double dissipated;     ///< since the last time level, [energy]
-    double radius_stiffness_before;  ///< below 0: not known
+    double radius_stiffness_before;
   };
   /// How a pair parts; speed 0: it does not.
   struct Parting {
@@ -192,90 +198,53 @@ class IntegratedContact {
     const double load = (now.rate - state.last_rate) / step_ - state.force * inverse_mass_;
     return arrive(now, load, at.sideways * at.sideways / at.distance, state, adhesion_energy);
   }
-  Arrival arrive(const ContactPoint& now, double load, double centrifugal,
-                 const ContactState& state, double adhesion_energy) const {
-    Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0, -1.0};
+  [[gnu::always_inline]] Arrival arrive(const ContactPoint& now, double load, double centrifugal,
+                                        const ContactState& state, double adhesion_energy) const {
+    const contact::LawPoint before = point(now.overlap + step_ * now.rate);
+    Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0, before.radius_stiffness};
     const double half = 0.5 * step_;
-    const double chord = -now.rate;
-    here.discrete_rate = (chord + half * ((adhesion_ - here.at.force) * inverse_mass_ - load)) /
-                         (1.0 + half * here.at.damping * inverse_mass_);
+    here.discrete_rate = (now.rate + half * ((here.at.force - adhesion_) * inverse_mass_ + load)) /
+                         (1.0 + half * inverse_mass_ * here.at.damping);
     here.rate = here.discrete_rate;
     here.work = half * state.force * (now.rate - half * centrifugal);
-    const double others = chord - half * load;
+    const double others = now.rate + half * load;
     here.energy_left =
         others * others -
         2.0 * inverse_mass_ * (state.account + here.work + here.at.energy + adhesion_energy);
-    if (is_damped_) set_dissipation(now, load, state, here);
+    if (is_damped_) set_dissipation(now, before, state.velocity_offset, here);
     return here;
   }
 
-  /// What the dashpot took on the way from the last time level, where the rate of approach was
-  /// -state.velocity_offset.
-  void set_dissipation(const ContactPoint& now, double load, const ContactState& state,
-                       Arrival& here) const {
-    const double x = now.overlap, x0 = std::max(x + step_ * now.rate, lowest_);
-    const double v0 = -state.velocity_offset;
-    const contact::LawPoint before = law_.at(x0);
-    here.radius_stiffness_before = before.radius_stiffness;
-    const double guess =
-        std::max(-now.rate * (here.at.damping_integral - before.damping_integral), 0.0);
-    const double square = here.energy_left - 2.0 * inverse_mass_ * guess;
+  /// What the dashpot took on the way from the last time level, where the law was at `before` and
+  /// the rate of the distance v0.
+  [[gnu::always_inline]] void set_dissipation(const ContactPoint& now,
+                                              const contact::LawPoint& before, double v0,
+                                              Arrival& here) const {
+    const double change = here.at.damping_integral - before.damping_integral;
+    const double square = here.energy_left + 2.0 * inverse_mass_ * std::min(now.rate * change, 0.0);
     const double grid = here.discrete_rate * here.discrete_rate;
     if (std::abs(square - grid) < trusted * grid)
       here.rate = std::copysign(std::sqrt(square), here.discrete_rate);
     const double v = here.rate;
-    const double s0 = v0 * v0, s1 = v * v;
-    if (v * v0 <= 0.0) {  // turns: two legs at a constant acceleration
-      const double stiffness = here.at.stiffness * inverse_mass_;
-      const double a1 =
-          std::abs((adhesion_ - here.at.force - here.at.damping * v) * inverse_mass_ - load);
-      const double a0 =
-          std::abs((adhesion_ - before.force - before.damping * v0) * inverse_mass_ - load);
-      // Also of a contact at rest under no force, where both speed and acceleration are 0.
-      const auto leg_of = [&](double damping, double speed_squared, double acceleration) {
-        const double divisor = acceleration * acceleration + 0.25 * stiffness * speed_squared;
-        return divisor > 0.0
-                   ? damping * speed_squared * std::sqrt(speed_squared) * acceleration / divisor
-                   : 0.0;
-      };
-      here.dissipated = (leg_of(before.damping, s0, a0) + leg_of(here.at.damping, s1, a1)) / 3.0;
-      const double most = step_ * std::max(before.damping, here.at.damping) * std::max(s0, s1);
-      if (!(here.dissipated < most))
-        here.dissipated =
-            step_ * 0.5 * (before.damping + here.at.damping) * (s1 + v * v0 + s0) / 3.0;
-      return;
-    }
-    // Halfway, energy and C are those of the cubics through both ends.
-    const double eighth = 0.125 * (std::max(x, lowest_) - x0);
-    const double square_middle =
-        0.5 * (s0 + s1) + 2.0 * eighth * inverse_mass_ * (here.at.force - before.force);
-    const double v_middle =
-        square_middle > 0.0 ? std::copysign(std::sqrt(square_middle), v) : 0.5 * (v + v0);
-    const double c0 = before.damping_integral, c1 = here.at.damping_integral;
-    const double c_middle = 0.5 * (c0 + c1) + eighth * (before.damping - here.at.damping);
-    // Exact for a constant c and acceleration; one leg and two of them, extrapolated.
-    const double one = leg(c1 - c0, v0, v);
-    const double two = leg(c_middle - c0, v0, v_middle) + leg(c1 - c_middle, v_middle, v);
-    here.dissipated = std::max((4.0 * two - one) / 3.0, 0.0);
-  }
-  /// The work of the dashpot while C changes by `change` [momentum] and the rate from v0 to v1.
-  static double leg(double change, double v0, double v1) {
-    const double a = std::abs(v0), b = std::abs(v1);
-    if (a + b == 0.0) return 0.0;
-    return std::abs(change) * (2.0 / 3.0) * (a * a + a * b + b * b) / (a + b);
+    // -int v dC, v and C as the cubics in time through both ends.
+    const double dashpot = here.at.damping * v - before.damping * v0;
+    const double force = here.at.force - before.force - dashpot;
+    here.dissipated = std::max(
+        twelfth_ * (change * inverse_mass_ * force + dashpot * (v - v0)) - 0.5 * change * (v0 + v),
+        0.0);
   }
 
-  /// Whether a contact, at a rate of approach and acceleration, is certain to last for the step,
-  /// and bears its load.
-  bool lasts(double overlap, double rate, double acceleration, double load) const {
-    if (pull_ > 0.0 && !(load < pull_)) return false;
-    const double next = overlap + step_ * (rate + 0.5 * step_ * acceleration);
-    const double reach = overlap - lowest_, next_reach = next - lowest_;
-    double least = std::min(reach, next_reach);
-    if (rate < 0.0 && acceleration > 0.0 && -rate < acceleration * step_)
-      least = std::min(least, reach - 0.5 * rate * rate / acceleration);
-    const double way = step_ * std::max(std::abs(rate), std::abs(rate + step_ * acceleration));
-    return least > way && next_reach > 0.3 * reach;
+  /// Whether a contact whose distance changes at this rate and acceleration is certain to last for
+  /// the step, and bears its load. Between two time levels it may dip below both, by half of the
+  /// way at most.
+  [[gnu::always_inline]] bool lasts(double overlap, double rate, double acceleration,
+                                    double load) const {
+    if (!(load < bearable_)) return false;
+    const double change = step_ * acceleration;
+    const double reach = overlap - lowest_;
+    const double next_reach = reach - step_ * (rate + 0.5 * change);
+    const double way = step_ * std::max(std::abs(rate), std::abs(rate + change));
+    return std::min(reach, next_reach) > way && next_reach > 0.3 * reach;
   }
 
   /// Whether a sub-step may have ended the contact.
@@ -373,7 +342,9 @@ class IntegratedContact {
   double inverse_mass_;
   double adhesion_;  // F_ad
   double pull_;      // F_ad/mu
+  double bearable_;  // load at which a persistent contact parts; infinite without F_ad
   double step_;
+  double twelfth_;  // of step_
   bool is_damped_;
   double lowest_;  // overlap at which contacts end
   contact::LawPoint at_lowest_;

@@ -113,23 +113,13 @@ class LinearContact {
   /// last step, or does not bear that load.
   [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
                                                  const DistanceMotion& at,
-                                                 const ContactState& state,
+                                                 const ContactState& state, double /*touch_energy*/,
                                                  PersistentStep& step) const {
     const bool taut = is_taut(now.overlap, load);
     if (!force_of(now, taut, load, step)) return false;
     set_dissipated(state.last_rate, now.rate, step);
     step.account += work_of_turning(step.force, state.force, at);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
-    return true;
-  }
-  /// The same of a contact that is not taut, nor was in the last step; false where it is.
-  /// last_rate, last_force: of its state.
-  [[gnu::always_inline]] bool advance_slack(const ContactPoint& now, double load,
-                                            const DistanceMotion& at, double last_rate,
-                                            double last_force, PersistentStep& step) const {
-    if (is_taut(now.overlap, load) || !force_of(now, false, load, step)) return false;
-    set_dissipated(last_rate, now.rate, step);
-    step.account += work_of_turning(step.force, last_force, at);
     return true;
   }
   /// The same in the first step after a resolved one.

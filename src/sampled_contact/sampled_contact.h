@@ -55,7 +55,7 @@ class SampledContact {
   }
 
   /// Sampled contacts are all alike.
-  template <int SIZE, bool linear = false, class Motion>
+  template <int SIZE, class By, class Motion>
   bool advance_persistent(const Motion&, double*, FrictionalStep&, ContactEnergies*) const {
     return false;
   }

@@ -50,6 +50,15 @@ TEST(ContactAdvice, StepsPerContactAreJudgedByTheScheme) {
   expect_verdict(at_steps(0.9), exact_scheme, subject, Severity::error, "fewer than 1");
 }
 
+TEST(ContactAdvice, NamesNoStepBeyondThatOfParticlesWithSeveralContacts) {
+  const ContactNumbers pair(at_steps(3.9));
+  const double steady = 0.5 * pair.parameters().dt;
+  const Finding found = advise(pair, exact_scheme, steady).front();
+  EXPECT_EQ(found.subject, Subject::contact_steps);
+  EXPECT_LE(found.largest_step, steady);
+  EXPECT_GT(found.largest_step, 0.99 * steady);
+}
+
 TEST(ContactAdvice, NoLeastNumberOfStepsIsNamedWhereThereIsNone) {
   for (const Finding& v : advise(ContactNumbers(at_steps(10.0)), sampled_scheme))
     EXPECT_EQ(v.sentence.find("fewer than"), std::string::npos) << v.sentence;

@@ -81,7 +81,8 @@ class Spheres {
       if (last_dt_ != dt_) law.change_step(last_dt_, now, acceleration, c.history);
       ContactEnergies* const energies = recorded ? &c.energies : nullptr;
       if (short_path && !first_ && last_dt_ == dt_ && c.j >= 0 &&
-          law.template advance_persistent<SIZE>(InSteps{now}, values, c.last, energies)) {
+          law.template advance_persistent<SIZE, ContactMotion>(InSteps{now}, values, c.last,
+                                                               energies)) {
         c.history = ContactHistory::stored(values, SIZE);
         if (recorded) c.energies.stored = law.template stored_persistent<SIZE>(now, before, values);
       } else {
