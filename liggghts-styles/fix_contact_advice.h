@@ -71,7 +71,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   std::optional<IntegratedParticles> held_;  // as the run began
   bool warned_of_unturned_ = false, warned_of_held_ = false, warned_of_partly_held_ = false;
   bool warned_of_unmoved_ = false;
-  std::set<std::string> warned_of_walls_;  // what was said of them
+  std::set<std::string> warned_of_walls_;  // the last warning of each
 };
 
 }  // namespace Cohesion

@@ -54,7 +54,7 @@ class ContactAdvice {
 
   /// ID of the fix of the wall; empty for pairs.
   std::string wall() const;
-  /// Under scheme exact; else sampled. What was said of the other holds no more.
+  /// Under scheme exact; else sampled. A change discards the warnings of the other scheme.
   void set_exact(bool exact) {
     if (exact != exact_) *warning_filter_ = {};
     exact_ = exact;

@@ -44,7 +44,7 @@ class SquareWellAttraction : public CohesionDefaults {
   void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
-  /// What is remembered of wells has to be followed even when none is left.
+  /// Stored states of wells remain active even when no well is left.
   bool is_active() const { return is_active_; }
   /// Known to be outside and still there: most of the pairs that it has to see.
   bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool update_all) const {

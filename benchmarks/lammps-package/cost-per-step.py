@@ -8,7 +8,7 @@ a Hamaker attraction) and jkr, or with --law jkr --granular of LAMMPS' own jkr, 
                    [--csv FILE]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
-with six lasting contacts each. Both styles start from the same positions and velocities and run in
+with six persistent contacts each. Both styles start from the same positions and velocities and run in
 turns; each turn gives one ratio of LAMMPS' own loop times (processor seconds), so that a machine that
 gets slower on the way does not decide. Printed: nanoseconds per particle and step, contacts per
 particle at the end, median ratio, and the quarter and three quarter points of the ratios. With

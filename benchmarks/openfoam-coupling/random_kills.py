@@ -85,7 +85,7 @@ def continued(case, ranks, reached, reference):
     """Continues the run; gives the last complete time, the largest difference at the end, and what is wrong."""
     done = complete(case, ranks)
     found = done[-1] if done else 0.0
-    # Of a first write that was cut off nothing is complete: the solver starts anew when it is told to.
+    # If the first write was cut off, no time is complete: the solver then starts anew with -overwrite.
     case.finish(case.start(*([] if done else ["-overwrite"]), ranks=ranks))
     log = case.log("cohesiveBedFoam").read_text()
     wrong = []

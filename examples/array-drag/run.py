@@ -69,7 +69,7 @@ def arguments():
 
 
 def figures(name, row, result):
-    """What is said of a row: its drag, errors, and what references and closures say over it."""
+    """Report on a row: its drag, errors, and what references and closures say over it."""
     found = {key: result[key] for key in ("phi", "Re", "F", "F_error", "F_error_1", "F_error_2", "F_1", "F_2",
                                           "over_alone", "seconds") if key in result}
     if row and row["array"] == "sc":

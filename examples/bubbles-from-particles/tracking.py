@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bubbles in beds of one layer of spheres, followed from picture to picture. Lengths in m, times in s."""
+"""Bubbles in beds of one layer of spheres, tracked from picture to picture. Lengths in m, times in s."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from cohesion_studies.cavities import cavities
 AROUND = 1.5  # diameters: radius of the circle that a share of solids is of
 EMPTY = 0.4  # share of the area below which a bubble is: about half of that of a packed bed
 SMALLEST = 4  # diameters: smaller cavities come and go within the emulsion
-SHORTEST = 0.04  # s that a bubble has to be followed for
+SHORTEST = 0.04  # s that a bubble has to be tracked for
 ALIKE = 1.5  # areas of a bubble in two pictures differ by no more than this factor
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is said of the rows of run.py: means over their seeds, theory beside them, and what several rows say together."""
+"""Report on the rows of run.py: means over their seeds, theory beside them, and what several rows say together."""
 
 import math
 import statistics

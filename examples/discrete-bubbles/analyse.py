@@ -13,7 +13,7 @@ from cohesion_studies.foam_results import read_cells, vector_list, written_times
 RISE = 0.711  # v/sqrt(g d) of one bubble
 G = 9.81
 # Columns of bubbles.dat
-COLUMNS = ("step", "injected", "injected_volume", "removed", "removed_volume", "merged", "broken", "owed", "inside",
+COLUMNS = ("step", "injected", "injected_volume", "removed", "removed_volume", "merged", "broken", "pending", "inside",
            "inside_volume")
 
 

@@ -42,7 +42,7 @@ def runs(folder, study, row):
             of_build.setdefault(build, []).append(file.parent)
     found = [cases for cases in of_build.values() if len(cases) == seeds]
     if len(found) != 1 and seeds:
-        raise CurvesError(f"{folder}: which runs the {seeds:.0f} of row '{row}' in summary.csv are cannot be told: run "
+        raise CurvesError(f"{folder}: the {seeds:.0f} runs of row '{row}' in summary.csv are not known: run "
                           "study.py again with the seeds that are meant")
     return found[0] if seeds else []
 

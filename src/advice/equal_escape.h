@@ -5,7 +5,7 @@
 
 #include "contact/adhesive_contact.h"
 
-/// Which square well and which Hamaker attraction hold head-on pairs up to the same speed, followed
+/// Which square well and which Hamaker attraction hold head-on pairs up to the same speed, computed
 /// exactly: with scheme exact at any time step. With scheme sampled: sampled_escape.h.
 /// Source: M. Weber, thesis, ch. 7, where both models are compared at equal escape velocity.
 namespace cohesion::advice {

@@ -43,7 +43,7 @@ inline contact::Adhesion adhesion_of(const HeadOnPair& pair, const hamaker::AnyL
   return std::visit([&](const auto& l) { return contact::adhesion_of(l, pair.geometry); }, law);
 }
 
-/// The escape velocities of a Hamaker attraction. Of a law followed exactly all three are the same.
+/// The escape velocities of a Hamaker attraction. Of a law solved exactly all three are the same.
 inline SampledEscape hamaker_escape(const HeadOnPair& pair, const hamaker::AnyLaw& law,
                                     std::optional<double> step) {
   require_sticking(pair.spring);

@@ -36,7 +36,7 @@ struct HeadOnStart {
 
 /// Whether `pair` (SampledHamaker or SampledWell) parts after its first contact. It sticks when it
 /// turns back before it is out of range; that a later impact may let it out again, as the scheme
-/// does not keep energy, is not followed. On the grid as engines have it, velocities half a step
+/// does not keep energy, is not considered. On the grid as engines have it, velocities half a step
 /// before positions; `step` [time]. Throws InvalidParameter after ten million steps.
 template <class Pair>
 bool parts(const Pair& pair, const HeadOnStart& start, double step) {
@@ -88,7 +88,7 @@ Survey survey(const PartsAt& parts_at, double low, double high, int n) {
 }
 
 /// `parts_at(speed, position)`, position between 0 and 1: where in the step. `exact`: the escape
-/// velocity of the laws followed exactly.
+/// velocity of the laws integrated exactly.
 template <class PartsAt>
 SampledEscape sampled_escape(const PartsAt& parts_at, double exact, double step) {
   constexpr int few = 16;

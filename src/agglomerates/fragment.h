@@ -44,7 +44,7 @@ inline double radius_of_gyration(const Fragment& p) {
   return std::sqrt(std::max(p.square / p.count - dot(mean, mean), 0.0));
 }
 
-/// What each particle of an agglomerate is told about it.
+/// Extent of an agglomerate, which each of its particles stores.
 struct Extent {
   /// In the place of the radius of gyration: bound to its own periodic image, without an end.
   static constexpr double endless = -1.0;

@@ -189,7 +189,7 @@ inline DiscreteEndConstants discrete_end_constants(double stiffness, double damp
                                                    double t) {
   const DiscreteConstants plain = discrete_constants(stiffness, damping, mass, t);
   const auto p = DampedOscillator(stiffness / mass, 0.5 * damping / mass).propagator(t);
-  // A velocity cannot be told from two places half a swing apart.
+  // Two places half a swing apart do not determine a velocity.
   if (!(p.xv > 0.1 * t * (p.xx + p.vv > 0.0 ? p.vv : 1.0))) return {plain, plain};
   const double m = 2.0 * mass / t, kept = p.xx * p.vv - p.xv * p.vx;
   return {{m / t * (1.0 - p.xx), m * (1.0 - p.xv / t)},

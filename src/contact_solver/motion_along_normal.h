@@ -55,7 +55,7 @@ struct NormalRecord {
   double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
   double repulsion_at_end = 0.0;   ///< force of both where contact ended last, [force]
   double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
-  bool unresolved = false;         ///< the step ended before its last phase was followed
+  bool unresolved = false;         ///< the step ended before its last phase was resolved
 };
 
 }  // namespace cohesion::contact_solver

@@ -47,7 +47,7 @@ class Moved(unittest.TestCase):
         self.work = Path(tempfile.mkdtemp(dir=self.folder))
 
     def call(self, line, code=0):
-        """Output of a line of bash, with the environment file sourced and little else of ours."""
+        """Output of a line of bash, with the environment file sourced and little else of this package."""
         env = {"PATH": "/usr/bin:/bin", **{name: os.environ[name] for name in KEPT if name in os.environ}}
         done = subprocess.run(["bash", "-c", f". '{self.prefix}/share/cohesion/environment.sh' && {line}"], env=env,
                               cwd=self.work, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

@@ -221,7 +221,7 @@ class Agglomerates(FolderTestCase):
                 numpy.testing.assert_allclose(with_files, without, rtol=0, atol=1e-11)
 
     def test_frozen_pairs_without_and_with_depth(self):
-        """Nothing is followed between particles that nothing moves, whether the well is deep or D = 0: of a
+        """No contact is resolved between particles that nothing moves, whether the well is deep or D = 0: of a
         frozen row of three and a sphere that overlaps its end, only the latter two are bound."""
         x = numpy.array([[4.0 + 0.99 * k, 4.0, 3.0] for k in range(4)])
         law = ("pair_style squarewell\npair_coeff * * well {} 1.2\n"

@@ -62,7 +62,7 @@ class Population(unittest.TestCase):
             with engine.temporary_folder() as folder:
                 output = run(folder, HEAD + PATHS + BUBBLES + "run 2000\n" + ASK + DUMP, ranks)
                 found[ranks] = sums(output)[0], engine.dump(folder, "last.dump")
-        injected, volume, removed, removed_volume, merged, broken, owed, inside, inside_volume = found[1][0]
+        injected, volume, removed, removed_volume, merged, broken, pending, inside, inside_volume = found[1][0]
         self.assertGreater(merged, 20)
         self.assertGreater(broken, 5)
         self.assertGreater(removed, 50)
@@ -72,8 +72,8 @@ class Population(unittest.TestCase):
         # Some that had to wait are larger.
         self.assertGreater(volume, injected * VOLUME * (1 + 1e-6))
         self.assertLess(volume, injected * VOLUME * (0.11 / 0.08)**3)
-        # What has been given is the flow, less what is owed and with the start that the nozzles had, 25 parts of a bubble.
-        self.assertAlmostEqual(volume + owed, 0.05 * 4, delta=25 * VOLUME)
+        # Injected volume: the flow, less the pending volume, with the start that the nozzles had, 25 parts of a bubble.
+        self.assertAlmostEqual(volume + pending, 0.05 * 4, delta=25 * VOLUME)
         for ranks in (2, 4):
             with self.subTest(ranks=ranks):
                 # The sums of volumes inside are over ranks.

@@ -256,7 +256,7 @@ class Corner(ExactWall):
                 end = self.run_wall(f"stiffness {STIFFNESS} restitution 0.9 hamaker 7.5e-19 cutoff {CUT} {OUT} "
                                     "xplane 0.01 NULL yplane 0.01 NULL", dt, steps)
                 self.assertGreater((end[::2, 5] != v[0][1]).sum(), 8)
-                # A contact that is alone is one force where that of two is followed: the same but for the
+                # A single contact has the discrete force, one of two is resolved: the same but for the
                 # rounding of a place in each step, which is an error of the speed by dt.
                 rounding = steps * numpy.finfo(float).eps * numpy.abs(end[:, 1:4]).max()
                 place, speed_error = numpy.abs(end[::2, [2, 5]] - end[1::2, [2, 5]]).max(axis=0)

@@ -134,7 +134,7 @@ class Oblique(unittest.TestCase):
         return numbers.reshape(len(self.ANGLES), POSITIONS, 6) / self.SPEED
 
     def test_without_friction_only_the_turning_sees_the_step(self):
-        # Distances are followed in closed form. Rounding moves each couple by 3e-17 m a step, some
+        # Distances are computed in closed form. Rounding moves each couple by 3e-17 m a step, some
         # 400 steps of contact at most; w0 times that is 4e-10 m/s, over the speed 1e-8. The line of
         # centres turns as on a straight flight between grid points: an impulse mu J within a step puts
         # the distance up to J dt/4 off, the angle by u dt/d times that over d, u the speed across. In

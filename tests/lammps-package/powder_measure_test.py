@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""cohesion-powder --measure: the engine runs with the lines that the program prints, and what it took is told."""
+"""cohesion-powder --measure: the engine runs with the lines that the program prints, which reports their times."""
 import unittest
 
 from cohesion_tests import lammps as engine

@@ -171,7 +171,7 @@ class Impacts(unittest.TestCase):
         # As with friction (gran_hamaker_couple_test): the angular impulse of rolling is below
         # R mu_R 2 mu (1 + e) v, and by n+1/2 a part v dt/(2 R) of it is along the normal. Friction
         # and rolling friction act on the same spins in turn: second order, and smaller here. Order 1 is
-        # told from 1/2 by what lies between the factors of a fourfold step, 4 and 2.
+        # distinguished from 1/2 by what lies between the factors of a fourfold step, 4 and 2.
         reach, residuals = 0.5 * Box.DIAMETERS.sum(), []
         for division in (4, 8, 16, 32):
             box = Box(0.3, division, rolling=0.2)

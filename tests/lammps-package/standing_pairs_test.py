@@ -52,7 +52,7 @@ SOME_WAYS = ("not integrated before", "displaced by little", "led there", "creat
 
 
 class Law:
-    """A style, what is said of it, and the energy of its attraction at an overlap and an effective radius."""
+    """A style, its description, and the energy of its attraction at an overlap and an effective radius."""
 
     def __init__(self, style, words, energy):
         self.style, self.words, self.energy = style, f"stiffness {K} restitution 1 {words}", energy

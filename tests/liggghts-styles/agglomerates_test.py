@@ -172,7 +172,7 @@ class Durations(unittest.TestCase):
         x = numpy.array([[3.0, 4.0, 3.0], [4.5, 4.0, 3.0]])
         v = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
         reduced = DENSITY * numpy.pi / 12
-        # Without depth no edge is followed.
+        # Without depth no edge is resolved.
         for depth, scheme in ((100.0, "sampled"), (100.0, "exact"), (0.0, "sampled"), (0.0, "exact")):
             with self.subTest(depth=depth, scheme=scheme):
                 duration = (2 * (ratio - 1) / numpy.sqrt(1 + 2 * depth / reduced)

@@ -279,7 +279,7 @@ class Refusals(unittest.TestCase):
         self.refused(script(oblique(), models, hamaker(0), extra=TALLY, walls=[
             "fix bare all wall/gran model hooke/stiffness tangential history primitive type 2 zplane -5e-3"]),
             "compute gran/energy: fix wall/gran bare has none of the cohesion models", "a strength of 0")
-        # A pair style without: the compute exists once a model of ours was named.
+        # A pair style without: the compute exists once a model of this package was named.
         self.refused(script(oblique(), models, hamaker(0),
                             extra=TALLY + "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n"),
                      "pair_style gran has none of the cohesion models")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A script that uses nothing of ours runs under the launcher as in the stock program."""
+"""A script that uses no style of this package runs under the launcher as in the stock program."""
 
 import unittest
 

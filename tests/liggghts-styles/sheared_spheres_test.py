@@ -74,7 +74,7 @@ class Spheres(unittest.TestCase):
               file=sys.stderr)
         return power, touches, T, table["T"].max()
 
-    # Each contact is followed on a grid of pi/15 of its swing: its energy is what leapfrog keeps, within (pi/15)^2/8
+    # Each contact is resolved on a grid of pi/15 of its swing: its energy is what leapfrog keeps, within (pi/15)^2/8
     # of what it exchanges. All one way that would be half of the 1 % that is asked for.
     def test_work_is_what_the_contacts_take(self):
         for restitution in (0.5, 0.9):

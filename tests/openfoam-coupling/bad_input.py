@@ -249,7 +249,7 @@ CASES = {
 }
 
 
-# With LIGGGHTS: what is said of the engine and its script.
+# With LIGGGHTS: messages about the engine and its script.
 LIGGGHTS_CASES = {
     "no dictionary of the engine": (
         lambda c: edit(c, COUPLING, "liggghtsCoeffs", "lammpsCoeffs2"),

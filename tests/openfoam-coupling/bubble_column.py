@@ -50,17 +50,17 @@ class BubbleColumn(CoupledTestCase):
             self.expect_below(f"form {form}, u_0 {u0}: imbalance", max(x["imbalance"] for x in lines), 1e-12)
             self.expect_true(f"form {form}, u_0 {u0}: no waves are said to grow", "would grow" not in log)
             counts = np.loadtxt(case.folder / "bubbles.dat")[-1, 1:]
-            injected, volume, removed, removed_volume, _, _, owed, inside, inside_volume = counts
+            injected, volume, removed, removed_volume, _, _, pending, inside, inside_volume = counts
             # With the one that was there
             self.expect_equal(f"form {form}, u_0 {u0}: number", injected + 1, removed + inside)
             one = np.pi / 6 * D**3
             # bubbles.dat has six digits.
             self.expect_near(f"form {form}, u_0 {u0}: volume", volume + one, removed_volume + inside_volume,
                              1e-5 * volume)
-            self.expect_near(f"form {form}, u_0 {u0}: flow", volume + owed, u0 * AREA * END, 25 * one)
+            self.expect_near(f"form {form}, u_0 {u0}: flow", volume + pending, u0 * AREA * END, 25 * one)
 
     def test_continued_with_mergers_and_breaks(self):
-        """Stopped in the middle and continued, with all digits: bubbles, what they owe and are owed, and the emulsion are
+        """Stopped in the middle and continued, with all digits: bubbles, pending impulses, and the emulsion are
         those of the run that was not stopped; momentum balances in steps with mergers and breaks, too."""
         # Bubbles that leave the nozzles faster than they rise come near to those before them, 0.06 m aside.
         more = "velocity 1.5 merge 0.09 break 0.075 0.1"

@@ -21,7 +21,7 @@ def scheme(s):
     """The same by the scheme: gas implicit in the drag of the particles' velocity at its step's start, or
     in what takes them to it when they are free to follow; then the particles' sub-steps, velocity Verlet
     with the mean drag of a sub-step; what they felt and the gas was not charged with, in the next step."""
-    u, v, force, owed = U0, 0.0, 0.0, 0.0
+    u, v, force, deferred = U0, 0.0, 0.0, 0.0
     dt, x = DT / SUB_STEPS, s.b * DT / SUB_STEPS / s.mass
     mean = -np.expm1(-x) / x
     charged = -np.expm1(-SUB_STEPS * x) / (SUB_STEPS * x) if s.free else 1.0
@@ -29,13 +29,13 @@ def scheme(s):
     per_gas = s.loading / s.mass  # gas velocity by an impulse on each particle
     history = []
     for _ in range(STEPS):
-        u = (u + k * v - owed * per_gas) / (1 + k)
-        owed = -s.b * charged * (u - v) * DT
+        u = (u + k * v - deferred * per_gas) / (1 + k)
+        deferred = -s.b * charged * (u - v) * DT
         for _ in range(SUB_STEPS):
             v += 0.5 * dt * force / s.mass
             force = s.b * mean * (u - v)
             v += 0.5 * dt * force / s.mass
-            owed += force * dt
+            deferred += force * dt
         history.append((u, v))
     return np.array(history).T
 
@@ -63,7 +63,7 @@ class DragStiffness(CoupledTestCase):
     def check(self, number, s):
         found, log = run(self.column, str(number), s)
         lines = exchange_lines(log)
-        # Each step is a few roundings of u, v and what is owed; what is owed is up to `stiffness` times as
+        # Each step is a few roundings of u, v and the deferred impulse, which is up to `stiffness` times as
         # large as u, and divided by 1 + stiffness when it is charged. The drag's inertial part: RE.
         tolerance = 1e-13 * STEPS + RE
         for what, values, expected in zip(("gas", "particles"), found, scheme(s)):

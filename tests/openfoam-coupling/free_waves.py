@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Waves of free spheres that drag carries along (src/drag/pressure_waves.h), in both forms of the model: how fast they
-grow, or die out, by the solver and by the eigenvalues of a step, written out again; what is said of them; and a layer
+grow, or die out, by the solver and by the eigenvalues of a step, written out again; their warnings; and a layer
 of spheres in which nothing may grow."""
 
 import re

@@ -95,7 +95,7 @@ class MovingCuts(CoupledTestCase):
         # chords of the column, the largest 0.14 of all: a rank has up to so many too many, until they mix.
         factors = {cut: imbalance(self.work / f"column-{cut}/log.lammps") for cut in ("at-rest", "moving")}
         self.expect_equal("imbalance factor at the start, cut at rest", factors["at-rest"][0], 2.0)
-        self.expect_true("the factors are told", len(factors["moving"]) > 10)
+        self.expect_true("the log has the factors", len(factors["moving"]) > 10)
         self.expect_below("imbalance factor, largest, moving cut", max(factors["moving"]), 1.28)
 
 

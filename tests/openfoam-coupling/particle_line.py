@@ -18,7 +18,7 @@ CURE = "add an entry dragMixture to constant/couplingProperties: carmanKozeny or
 
 
 def lines(column, name, kinds, ranks=1, mixture="none", parcel=1):
-    """What is said of spheres of `kinds` in turn, (diameter [m], density [kg/m3]): the line, and the one after it if
+    """The log of spheres of `kinds` in turn, (diameter [m], density [kg/m3]): the line, and the one after it if
     it belongs to it."""
     case = column(name)
     use_script(case, "passing")
@@ -40,9 +40,9 @@ def lines(column, name, kinds, ranks=1, mixture="none", parcel=1):
 
 class ParticleLine(CoupledTestCase):
     def check(self, what, found, line, mixture):
-        self.expect_equal(f"{what}: what is said", found[0], line)
+        self.expect_equal(f"{what}: the line", found[0], line)
         if mixture is None:
-            return self.expect_equal(f"{what}: what is said behind it", found[1], "")
+            return self.expect_equal(f"{what}: the next line", found[1], "")
         assert_says(self, found[1], f"A mixture, largest over smallest diameter {mixture:g}: ", MIXTURE, WARNING,
                     CURE)
 
@@ -75,13 +75,13 @@ class ParticleLine(CoupledTestCase):
             found = lines(self.column, name, [(2e-4, 1500.0), (widest, 1500.0)], mixture="vanDerHoef")[1]
             assert_says(self, found, "that of dragMixture vanDerHoef over the closure, by its diameter over the Sauter"
                         " mean of its cells")
-            self.expect_equal(f"{name}: range of the law is told", "fitted for ratios up to 4" in found, beyond)
+            self.expect_equal(f"{name}: range of the law is in the log", "fitted for ratios up to 4" in found, beyond)
 
     def test_parcels(self):
         """2 mm of which each stands for 1000 grains of 0.2 mm: group B, where the spheres would be of group D."""
         found = lines(self.column, "parcels", [(2e-3, 2500.0)], parcel=10)
         self.expect_true(f"group of the grains: {found[0]}", found[0].endswith("Geldart's group B"))
-        self.expect_equal("what is said behind it", found[1], "coarseGraining 10: each sphere stands for 1000 grains of"
+        self.expect_equal("the next line", found[1], "coarseGraining 10: each sphere stands for 1000 grains of"
                           " 0.1 of its diameter; drag and Geldart's group are theirs")
 
     def test_law_for_mixtures_among_equal_spheres(self):

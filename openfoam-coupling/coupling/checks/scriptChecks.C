@@ -23,7 +23,7 @@ using namespace Foam;
 const Keywords unitStyles{{"lj"}, {"real"}, {"metal"}, {"cgs"}, {"electron"}, {"micro"}, {"nano"}, {"si"}};
 
 
-//- The units of the script in words, empty where they are SI or cannot be told from the text
+//- The units of the script in words, empty where they are SI or the text does not state them
 std::string foreignUnits(const particleScript& script)
 {
     std::string foreign;

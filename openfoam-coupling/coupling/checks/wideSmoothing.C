@@ -10,7 +10,7 @@
 namespace
 {
 
-//- Widths that a bed is high at least. It resists as if it were about a width lower (void_fraction.md).
+//- Widths that a bed is high at least. It resists as if it were about a width lower.
 constexpr Foam::scalar least = 10;
 
 //- Share of solid in the height that makes particles a bed

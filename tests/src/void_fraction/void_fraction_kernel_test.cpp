@@ -80,7 +80,7 @@ TEST(DividedVolume, CountsThePartsInTheCell) {
 }
 
 TEST(SphereOverlap, ByPointsIsNearTheExactShareOnAnyPlane) {
-  // What is said of it: 3 % of the sphere where one plane cuts it, at any angle and depth.
+  // Its stated error: 3 % of the sphere where one plane cuts it, at any angle and depth.
   double worst = 0.0;
   for (int i = 0; i < 12; i++) {
     const double polar = 0.13 * i + 0.05, azimuth = 0.7 * i + 0.02;

@@ -20,9 +20,9 @@ KNOWN = (
     Warned("would stick less with a stiffer spring", "", False, "softness"),
     Warned("leaves its well by more than ([^ ]*) of the radii", r"leaves its well by \1 radii in a step", True),
     Warned("came nearer by more than ([^ ]*) of its radii", r"came nearer by \1 radii in a step", True),
-    Warned("([^ ]*) times in this run a pair, or a particle and a wall, turned", r"\1 steps not followed to their end",
+    Warned("([^ ]*) times in this run a pair, or a particle and a wall, turned", r"\1 steps not resolved to their end",
            True),
-    Warned("turned round a hundred times or more within one step", "a step not followed to its end", True),
+    Warned("turned round a hundred times or more within one step", "a step not resolved to its end", True),
     Warned("made collisions elastic and frictionless", "inelastic collapse", True),
     Warned("particles with their centres behind a wall", "particles behind a wall at the start", True),
     Warned("particles that a wall cuts through", "a wall through particles at the start", True),
@@ -49,7 +49,7 @@ def short(message):
 
 
 def warnings(output, contacts):
-    """Those of a run in short. Behind what was said only of a contact that does not occur stands that, in brackets;
+    """Those of a run in short. Warnings of contacts that do not occur name them in brackets;
     `contacts`: those that do occur, as the styles name them ("1 - 2", "1 - wall")."""
     found, others = set(), {}
     for message in re.findall("WARNING: (.*)", output):
@@ -70,12 +70,12 @@ def elsewhere(part):
 
 
 def of_own(said):
-    """What was said of contacts that occur."""
+    """Warnings of contacts that occur."""
     return "; ".join(part for part in said.split("; ") if not elsewhere(part))
 
 
 def fits(said, words=FITS):
-    """What was said that a number may be wrong: "warned"; "elsewhere" of contacts alone that do not occur; or
+    """Warnings that a number may be wrong: "warned"; "elsewhere" of contacts alone that do not occur; or
     "silent"."""
     about = [elsewhere(part) for part in said.split("; ") if any(re.search(word, part) for word in words)]
     return "silent" if not about else "elsewhere" if all(about) else "warned"

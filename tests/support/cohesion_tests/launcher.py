@@ -32,7 +32,7 @@ def command(program, script, ranks=0, mpiexec=(), variables=None, log=None):
 
 def run(words, folder, ranks=0, environment=None, timeout=500, each_line=None):
     """Runs a command(), or another command of an engine, in `folder`; gives Ended. `environment`: more of it;
-    `each_line`: what is told every line as soon as it is there. Raises subprocess.TimeoutExpired after `timeout` [s],
+    `each_line`: called with every line as soon as it is there. Raises subprocess.TimeoutExpired after `timeout` [s],
     of a command that is waited for without each_line."""
     how = dict(cwd=folder, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                env={**os.environ, **short_start(ranks), **(environment or {})})

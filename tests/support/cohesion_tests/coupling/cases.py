@@ -30,7 +30,7 @@ class ColumnCase(FoamCase):
             text = f"{dictionary} {{ {text} }}"
         append(self, file, text)
 
-    meshes = None  # those made before, and what was said: files by their place, by the text of their dictionaries
+    meshes = None  # those made before, and their output: files by their place, by the text of their dictionaries
 
     def mesh(self):
         """As of FoamCase; a mesh that has been made of the same dictionaries is copied."""

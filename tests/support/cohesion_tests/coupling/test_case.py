@@ -14,7 +14,7 @@ SOLVER = "cohesiveBedFoam"
 
 
 class CoupledTestCase(unittest.TestCase):
-    """Runs are long, so that much is asked of each: an expectation that fails is told, and the test goes on to the
+    """Runs are long, so each checks much: an expectation that fails is reported, and the test continues with the
     next."""
 
     build, work = os.environ["COHESION_BUILD"], Path(os.environ["COHESION_WORK"])

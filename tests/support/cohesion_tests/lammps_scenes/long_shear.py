@@ -43,7 +43,7 @@ def write_start(folder, side):
 
 
 def run(name, folder, ranks, start, steps, strain, samples, step_done, lines_from, variables):
-    """Runs to step `steps`; keeps a restart file of the middle. step_done(steps) is told on the way.
+    """Runs to step `steps`; keeps a restart file of the middle. Calls step_done(steps) on the way.
     `lines_from`: the first step whose events count for the comparison; `variables`: more of the script's."""
     last = 0 if start == "data" else steps // 2
 

@@ -44,7 +44,7 @@ Result = namedtuple("Result", "verdicts errors said exact")
 
 # Largest error that counts as right, over the largest speed.
 MOST = 0.1
-# Below `right` a case is right; from there to `room` nothing can be said of it.
+# Below `right` a case is right; from there to `room` it has no verdict.
 Aim = namedtuple("Aim", "right room")
 NOT_A_NUMBER = "wrong: not a number"
 COARSE = "not judged: coarse"
@@ -63,7 +63,7 @@ def kind(verdict, said):
 
 
 def run(point, engine, scheme, finer, faster=0.0):
-    """State (ran, refused, crashed, hangs), what was said, and the end: places, velocities. All speeds are
+    """State (ran, refused, crashed, hangs), messages, and the end: places, velocities. All speeds are
     `faster` larger than the point's, by a share."""
     steps = max(1 if point.law.hard else 4, math.ceil(point.duration / point.dt * (1 - 1e-9)))
     skin = max(0.2 * point.radius[0], (4 if point.law.hard else 30) * point.dt * point.scale)

@@ -14,7 +14,7 @@ are compared at two times, the end and half a contact time later, and are wrong 
 extremes_page.py writes the page.
 
 Points are the same in both schemes. Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`:
-other, and the run said of a contact that occurs that the step is too large for the contact, the cut-off or the well, or
+other, and the run warned of a contact that occurs: the step is too large for the contact, the cut-off or the well, or
 too small for rounded places;
 `wrong, other types warned`: it said so only of contacts that do not occur, named in brackets;
 `wrong, silent`: it did not; `refused`; `crashed` or `hangs`; `not set up`: of an overlap at the start, or where two
@@ -104,7 +104,7 @@ def contacts(law, scheme, two, dampings):
 
 
 def run(program, law, scheme, two, dampings, spheres, finer=1, wall=False, times=(0.0,)):
-    """State, what was said, and for each of `times`, contact times after the end, rows of id, place, velocity.
+    """State, messages, and for each of `times`, contact times after the end, rows of id, place, velocity.
     spheres: type, radius, density, place, velocity."""
     p, dt = two.values, two.dt / finer
     far = 2 * (two.duration * two.scale + 4 * RADIUS + abs(two.gap)) + 4 * two.seen
@@ -218,7 +218,7 @@ def judge_three(program, law, scheme, values, start):
 
 
 def of_times(said, errors, right):
-    """Verdict, error and what was said of a triple at two times; `right`: at each."""
+    """Verdict, error and warnings of a triple at two times; `right`: at each."""
     shown = errors[1] if tuple(right) == (False, True) else errors[0]
     return verdict(said, any(right)) + ONCE.get(tuple(right), ""), shown, said
 

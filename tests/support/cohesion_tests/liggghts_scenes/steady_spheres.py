@@ -224,7 +224,7 @@ def against_theory(table, fraction, law, dt, every, volume):
 class Touches:
     """Pairs in contact in each step, a line each, from the dump, which knows places and overlaps: what the law of
     the contact makes of them. Speeds are those of the half steps between, by differences, and at both ends by a step
-    with the law; overlap and speed of a pair are followed as if no other touched either."""
+    with the law; overlap and speed of a pair are computed as if no other touched either."""
 
     def __init__(self, done, law, dt):
         frames = dumps.parse(done.files["contacts.txt"])
