@@ -5,6 +5,18 @@
 
 #include "drag/gas_on_particle.h"
 
+namespace
+{
+
+//- Whether a gas step has acted on the particle. The coefficient alone may be 0: without slip, in a quadratic law.
+bool felt(const cohesion::drag::GasOnParticle& gas)
+{
+    const auto any = [](const double (&of)[3]) { return of[0] != 0 || of[1] != 0 || of[2] != 0; };
+    return gas.drag_coefficient != 0 || any(gas.velocity) || any(gas.pressure_gradient);
+}
+
+} // End anonymous namespace
+
 
 void Foam::warnOfLostGasState(const dictionary& dict, cohesion::coupling::DemEngine& engine)
 {
@@ -13,8 +25,7 @@ void Foam::warnOfLostGasState(const dictionary& dict, cohesion::coupling::DemEng
     bool found = false;
     for (label i = 0; gas && i < n && !found; ++i)
     {
-        // The drag coefficient of a particle that a gas step has moved is above zero.
-        found = gas[i].drag_coefficient > 0;
+        found = felt(gas[i]);
     }
     if (returnReduce(n, sumOp<label>()) == 0 || returnReduce(found, orOp<bool>()))
     {
