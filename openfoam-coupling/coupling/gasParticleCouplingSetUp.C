@@ -387,4 +387,5 @@ void Foam::gasParticleCoupling::requireReadState() const
             << " To begin anew with the gas of that time, remove its folder 'uniform'"
             << exit(FatalIOError);
     }
+    warnOfLostGasState(dict_, *engine_);
 }

@@ -54,6 +54,7 @@ Foam::functionObjects::particleFields::particleFields
     particleFunctionObject(name, runTime, dict, false),
     volumeFraction_(zeroField<scalar>("particleVolumeFraction", mesh_, dimless)),
     numberDensity_(zeroField<scalar>("particleNumberDensity", mesh_, dimless/dimVolume)),
+    momentum_(zeroField<vector>("particleMomentum", mesh_, dimVelocity)),
     velocity_(zeroField<vector>("particleVelocity", mesh_, dimVelocity)),
     granularTemperature_(zeroField<scalar>("granularTemperature", mesh_, sqr(dimVelocity))),
     diameter_(zeroField<scalar>("particleDiameter", mesh_, dimLength))
@@ -69,6 +70,7 @@ void Foam::functionObjects::particleFields::forEachField(const What& what)
 {
     what(volumeFraction_);
     what(numberDensity_);
+    what(momentum_);
     what(velocity_);
     what(granularTemperature_);
     what(diameter_);
@@ -128,6 +130,7 @@ void Foam::functionObjects::particleFields::compute()
         const vector mean = empty ? vector::zero : momenta[celli]/volumes[celli];
         volumeFraction_[celli] = volumes[celli]/cell;
         numberDensity_[celli] = numbers[celli]/cell;
+        momentum_[celli] = empty ? vector::zero : momenta[celli]/cell;
         velocity_[celli] = mean;
         granularTemperature_[celli] =
             empty ? 0 : max(energies[celli]/volumes[celli] - magSqr(mean), scalar(0))/3;

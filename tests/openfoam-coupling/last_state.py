@@ -10,7 +10,10 @@ import signal
 import time
 import unittest
 
+import numpy as np
+
 from cohesion_tests.coupling.cases import CONTROL, ENGINE, append, edit, script_file
+from cohesion_tests.coupling.fields import cells
 from cohesion_tests.coupling.swarm import complete, steps_begun
 from cohesion_tests.coupling.test_case import CoupledTestCase, times
 from cohesion_tests.refusals import assert_says
@@ -20,6 +23,14 @@ CREATE = {"lammps": ('"${continued} == no"', "create_atoms 1 single 0.031 0.029 
                      " 0 0.2"),
           "liggghts": ('"${continued} == 0"', "create_atoms 1 single 0.031 0.029 0.19 units box",
                        "region       box block 0 0.06 0 0.06 0 0.2 units box")}
+ENTRIES = "type fieldAverage; libs (fieldFunctionObjects); writeControl writeTime;"
+# One average from the start, one that begins after the first run has ended, one of each written interval
+AVERAGES = f"""
+particles {{ type particleFields; libs (cohesionFunctionObjects); writeControl writeTime; }}
+whole {{ {ENTRIES} fields ( U {{ mean on; prime2Mean off; base time; }} ); }}
+late {{ {ENTRIES} timeStart 5e-3; fields ( particleVelocity {{ mean on; prime2Mean off; base time; }} ); }}
+each {{ {ENTRIES} restartOnOutput yes; fields ( voidFraction {{ mean on; prime2Mean off; base time; }} ); }}
+"""
 SET = "set          group all diameter 1e-4 density 2000"
 
 
@@ -130,7 +141,8 @@ class LastState(CoupledTestCase):
         append(case, CONTROL, f"endTime {expected[-1]:.8g}; writeInterval {interval}; {entries}")
         case.finish(case.start(ranks=ranks))
         log = case.log("cohesiveBedFoam").read_text()
-        assert_says(self, log, f"The last complete state is that of time {kept}")
+        assert_says(self, log, f"The last complete state is that of time {kept}", "To begin anew remove 'kept'",
+                    f"to continue from a written time remove {kept}")
         first = re.search(r"\nTime = (\S+)", log)[1]
         self.expect_near(f"{name}: the first step ends at", float(first), float(kept) + 1e-4, 1e-9)
         self.expect_equal(f"{name}: complete times", complete(case, ranks), [float(f"{t:.8g}") for t in expected])
@@ -140,6 +152,53 @@ class LastState(CoupledTestCase):
         for ranks in (1, 2):
             self.stopped(ranks, signal.SIGTERM)
         self.stopped(1, signal.SIGKILL, "writeControl adjustable; adjustTimeStep yes; maxDeltaT 1e-4;")
+
+    def averaged(self, name, ranks, ends):
+        """Averages of 60 steps at the end; a signal ends the first run where `ends` says so."""
+        case = make(self.column, name, 0)
+        edit(case, SCRIPT, ' "velocity all set 0 0 0"', "")
+        append(case, CONTROL, f"endTime 6e-3; writeInterval 6e-3; functions {{ {AVERAGES} }}")
+        if ranks > 1:
+            case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
+            case.run("decomposePar", "-force")
+        if ends:
+            append(case, CONTROL, "endTime 100; writeInterval 100;")
+            process = case.start(ranks=ranks)
+            while process.poll() is None and steps_begun(case) < 20:
+                time.sleep(0.005)
+            process.terminate()
+            process.wait()
+            folder = case.folder / "processor0" if ranks > 1 else case.folder
+            state = (folder / "kept/uniform/functionObjects/functionObjectProperties").read_text()
+            self.expect_true(f"{name}: only the average that has begun is kept", re.search(r"whole\s*{\s*U\s*{", state)
+                             and "particleVelocity" not in state and "voidFraction" not in state)
+            append(case, CONTROL, "endTime 6e-3; writeInterval 6e-3;")
+        case.finish(case.start(ranks=ranks))
+        if ranks > 1:
+            case.run("reconstructPar", "-latestTime")
+        return {field: cells(case, "0.006", field) for field in ("UMean", "particleVelocityMean", "voidFractionMean")}
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_averages_continue(self):
+        whole = self.averaged("averages", 1, False)
+        for ranks in (1, 2):
+            found = self.averaged(f"averages-ended-{ranks}", ranks, True)
+            for name in ("UMean", "particleVelocityMean"):
+                # The particle's force is computed anew where the run continues. Without the first step it is 1/60.
+                self.expect_below(f"{ranks} ranks: {name}, largest difference / largest value",
+                                  np.abs(found[name] - whole[name]).max() / np.abs(whole[name]).max(), 1e-4)
+
+    def test_state_of_the_gas_that_a_run_discards(self):
+        said = "has lost the forces of the gas"
+        case = make(self.column, "discarded", 0)
+        case.solve()
+        for end, edits, warned in ((2e-3, (), False), (3e-3, ("fix gas ", "run 0\nfix gas "), True)):
+            append(case, CONTROL, f"endTime {end};")
+            if edits:
+                edit(case, SCRIPT, *edits)
+            case.finish(case.start())
+            log = case.log("cohesiveBedFoam").read_text()
+            self.expect_equal(f"until {end}: the warning", said in log, warned)
 
     @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
     def test_begun_anew(self):

@@ -23,7 +23,11 @@ functions
     average
     {{
         type fieldAverage; libs (fieldFunctionObjects); writeControl writeTime;
-        fields ( particleVolumeFraction {{ mean on; prime2Mean off; base time; }} );
+        fields
+        (
+            particleVolumeFraction {{ mean on; prime2Mean off; base time; }}
+            particleMomentum       {{ mean on; prime2Mean off; base time; }}
+        );
     }}
 }}
 """
@@ -41,9 +45,10 @@ class ParticleFields(CoupledTestCase):
         if ranks > 1:
             case.run("reconstructPar", "-latestTime")
         names = ("particleVolumeFraction", "particleNumberDensity", "particleVelocity", "granularTemperature",
-                 "particleDiameter", "particleVolumeFractionMean")
+                 "particleDiameter", "particleVolumeFractionMean", "particleMomentum", "particleMomentumMean")
         fields = {name: field(case, f"{T:g}", name) for name in names}
-        fields["particleVelocity"] = fields["particleVelocity"].reshape(-1, 3)
+        for name in ("particleVelocity", "particleMomentum", "particleMomentumMean"):
+            fields[name] = fields[name].reshape(-1, 3)
         return fields
 
     @staticmethod
@@ -87,6 +92,23 @@ class ParticleFields(CoupledTestCase):
         average = sum(count(GAS_STEP * (k + 1)) for k in range(steps)) / steps * VOLUME / CELL
         # One sphere that rounding puts on the other side of a face in one of the steps is 1/steps of one.
         self.near(f"{what}: its time average", found["particleVolumeFractionMean"], average, 1)
+        self.mean_velocity(what, found, v)
+
+    def mean_velocity(self, what, found, v):
+        """The quotient of the averages is the mean over all spheres of all steps in a cell."""
+        steps = round(T / GAS_STEP)
+        momentum, numbers = np.zeros((MESH.prod(), 3)), np.zeros((steps, MESH.prod()))
+        for k in range(steps):
+            cell = self.cells(lattice() + GAS_STEP * (k + 1) * v)
+            np.add.at(momentum, cell, v)
+            np.add.at(numbers[k], cell, 1)
+        self.near(f"{what}: momentum", found["particleMomentum"],
+                  found["particleVolumeFraction"][:, None] * found["particleVelocity"], np.abs(v).max())
+        number = numbers.sum(axis=0)
+        full = number > 0
+        self.expect_true(f"{what}: numbers of spheres that change", np.ptp(numbers, axis=0).any())
+        mean = found["particleMomentumMean"][full] / found["particleVolumeFractionMean"][full, None]
+        self.near(f"{what}: mean velocity", mean, momentum[full] / number[full, None], np.abs(v).max())
 
     def sums(self, name, coupling, ranks):
         what = f"{name} on {ranks} ranks"

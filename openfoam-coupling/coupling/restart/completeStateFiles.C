@@ -11,6 +11,7 @@
 #include "dictionary.H"
 
 #include "coupling/fromFirstRank.H"
+#include "functionObjectState.H"
 
 
 Foam::fileName Foam::completeState::restartFile(const Time& time)
@@ -31,6 +32,7 @@ Foam::fileName Foam::completeState::engineFile(const Time& time)
 
 bool Foam::completeState::writeFields(const Time& time)
 {
+    writeFunctionObjectState(time);
     const objectRegistry& registry = time;
     return
         time.writeTimeDict()
