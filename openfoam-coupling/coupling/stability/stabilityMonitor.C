@@ -25,11 +25,11 @@ Foam::stabilityMonitor::stabilityMonitor
 :
     mesh_(mesh),
     validity_(closure),
-    heldGrowth_(free),
+    fixedBedGrowth_(free),
     pressureWaves_(free, felt),
     exchangeError_(free),
     viscousWaves_(mesh, density, felt, addedMass),
-    ofParticles_{&heldGrowth_, &pressureWaves_, &exchangeError_, &validity_}
+    ofParticles_{&fixedBedGrowth_, &pressureWaves_, &exchangeError_, &validity_}
 {}
 
 
@@ -37,7 +37,7 @@ void Foam::stabilityMonitor::startStep(const label engineSteps)
 {
     engineSteps_ = engineSteps;
     dt_ = mesh_.time().deltaTValue();
-    judgesExchange_ = heldGrowth_.due() || pressureWaves_.due() || exchangeError_.due();
+    judgesExchange_ = fixedBedGrowth_.due() || pressureWaves_.due() || exchangeError_.due();
     pressureWaves_.setEngineSteps(engineSteps);
 }
 
@@ -56,9 +56,9 @@ void Foam::stabilityMonitor::addExchange(const particleInGas& particle)
     {
         exchangeError_.add(step, loading);
     }
-    if (heldGrowth_.due())
+    if (fixedBedGrowth_.due())
     {
-        heldGrowth_.add(step, loading);
+        fixedBedGrowth_.add(step, loading);
     }
     if (pressureWaves_.due())
     {

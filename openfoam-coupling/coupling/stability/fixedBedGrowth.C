@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "explicitGrowth.H"
+#include "fixedBedGrowth.H"
 
 #include "drag/exchange_error.h"
 
 using namespace cohesion;
 
-Foam::explicitGrowth::explicitGrowth(const bool free)
-    : stepCriterion(free, drag::held_growth_limit) {}
+Foam::fixedBedGrowth::fixedBedGrowth(const bool free)
+    : stepCriterion(free, drag::fixed_bed_growth_limit) {}
 
-void Foam::explicitGrowth::add(const scalar step, const scalar loading) {
-  worst_ = max(worst_, drag::held_growth(step, loading));
+void Foam::fixedBedGrowth::add(const scalar step, const scalar loading) {
+  worst_ = max(worst_, drag::fixed_bed_growth(step, loading));
 }
 
-void Foam::explicitGrowth::warn(const scalar largest, const scalar) {
+void Foam::fixedBedGrowth::warn(const scalar largest, const scalar) {
   WarningOnceInFunction(warning_)
       << "with response free the gas is solved with particles that give way to it; between "
          "particles"
