@@ -96,11 +96,14 @@ Foam::scalar Foam::gasParticleCoupling::particleCourantNumber() const
 void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 {
     averaging_.exchange().startStep();
-    step_->checkCourant(courant);
     if (step_->adjustable())
     {
         locateParticles();
         step_->adjust(time, max(courant, particleCourantNumber()));
+    }
+    else
+    {
+        monitor_.checkCourant(courant);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "clockTime.H"
 
+#include "drag/exchange_error.h"
 #include "drag/momentum_exchange.h"
 #include "liquid/liquid_exchange.h"
 #include "sphere.h"
@@ -87,9 +88,16 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         sourceCoefficient_[i] = liquid::source_coefficient(b, mass, added, dt, response_.free);
         transmittedVolume_[i] =
             transmits ? liquid::transmitted_volume(b, mass, added, sphere_volume(radius), dt) : 0;
-        monitor_.add({position[i], voidFraction, reynolds, b, radius, mass, mass + added, rho[i]});
+        monitor_.add
+        ({
+            position[i],
+            voidFraction,
+            reynolds,
+            drag::exchange_step(b, mass + added, dt),
+            drag::mass_loading(voidFraction, mass, sphere_volume(radius), rho[i])
+        });
     }
-    monitor_.endStep(particles.count);
+    monitor_.endStep();
     if (bound_.on())
     {
         bound_.endStep();

@@ -6,8 +6,8 @@ Application
 Description
     Transient solver for the volume-averaged flow of a gas, incompressible or an ideal one of one
     temperature, through particles that a particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a
-    turbulence model where there is a constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
-    constraints by constant/fvOptions, function objects in system/controlDict.
+    turbulence model where there is a constant/turbulenceProperties. PIMPLE for the gas, one exchange each way
+    per gas step. Sources and constraints by constant/fvOptions, function objects in system/controlDict.
 
     Forms A and B of the model, src/drag/model_form.h.
 
