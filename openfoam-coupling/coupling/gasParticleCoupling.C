@@ -111,7 +111,7 @@ void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 void Foam::gasParticleCoupling::depositParticles
 (
     const volVectorField& U,
-    const volVectorField& gradP
+    const volVectorField& gradPOverRho
 )
 {
     const clockTime timer;
@@ -125,7 +125,7 @@ void Foam::gasParticleCoupling::depositParticles
     inlets_.check(voidFraction_, U);
     inletVelocities_.check(voidFraction_, U);
     setCoefficients(U);
-    setSources(gradP);
+    setSources(gradPOverRho);
     seconds_.exchange += timer.elapsedTime();
 }
 
@@ -139,50 +139,40 @@ void Foam::gasParticleCoupling::advanceParticles
     clockTime timer;
     const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
     const vector deferredBefore = sum(deferredImpulse());
-    vectorField felt(gradP.primitiveField());
-    if (form_.gas_takes_all)
-    {
-        forAll(felt, celli)
-        {
-            felt[celli] = rho_*density_.ratio(celli)*g_;
-        }
-    }
-    setGasOnParticles(gasVelocity, averaging_.gather(felt), transmittedGradient(gradP));
+    setGasOnParticles(gasVelocity, pressureOnParticles(gradP), transmittedGradient(gradP));
+    hasLastGradient_ = true;
     if (liquid_.active())
     {
-        drag::GasOnParticle* gas = engine_->gas();
-        const auto charge = [gas](const label i, const vector& impulse)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                gas[i].drag_impulse[d] -= impulse[d];
-            }
-        };
-        liquid_.give(engine_->liquid(), U.primitiveField(), mesh_.time().deltaTValue(), averaging_, charge);
+        setLiquidOnParticles(U);
     }
+    turnover_.start(*engine_, mesh_.time().deltaTValue());
+    seconds_.exchange += timer.timeIncrement();
 
+    runEngine();
+    seconds_.particles += timer.timeIncrement();
+
+    turnover_.end(*engine_);
+    reportBalance(U, gradP, deferredBefore);
+    seconds_.exchange += timer.timeIncrement();
+}
+
+
+void Foam::gasParticleCoupling::runEngine()
+{
     const Time& time = mesh_.time();
-    turnover_.start(*engine_, time.deltaTValue());
     const bool write = time.writeTime();
+    const fileName state = write ? completeState::engineFile(time) : fileName();
     gasForce_.clear();
     std::optional<meanGasForce> force;
     if (write)
     {
         force.emplace(*engine_);
     }
-    seconds_.exchange += timer.timeIncrement();
-
-    const fileName state = write ? completeState::engineFile(time) : fileName();
     engineWorks([&]() { engine_->advance(step_->subSteps(), state); });
-    seconds_.particles += timer.timeIncrement();
-
     if (write)
     {
         gasForce_ = force->over(time.deltaTValue());
     }
-    turnover_.end(*engine_);
-    reportBalance(U, gradP, deferredBefore);
-    seconds_.exchange += timer.timeIncrement();
 }
 
 

@@ -90,7 +90,7 @@ void Foam::gasParticleCoupling::reportBalance
     scalar solidDeposited = 0;
     forAll(U, celli)
     {
-        const scalar fraction = form_.gas_takes_all ? 1 : voidFraction_[celli];
+        const scalar fraction = form_.shares_pressure ? voidFraction_[celli] : 1;
         gasDrag +=
             (
                 (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_

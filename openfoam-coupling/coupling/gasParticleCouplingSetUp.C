@@ -119,7 +119,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     ),
     inlets_(voidFraction_),
     inletVelocities_(voidFraction_),
-    monitor_(mesh, density, {drag_.closure(), response_.free, !form_.gas_takes_all}, liquid_.addedCoefficient()),
+    monitor_(mesh, density, {drag_.closure(), form_, response_}, liquid_.addedCoefficient()),
     transmittedFraction_
     (
         IOobject("transmittedFraction", mesh.time().timeName(), mesh),

@@ -12,7 +12,7 @@ using namespace cohesion;
 Foam::exchangeError::exchangeError(const exchangeModel& model)
 :
     particleCriterion(true, drag::exchange_error_limit),
-    free_(model.free)
+    free_(model.response.free)
 {}
 
 

@@ -8,7 +8,7 @@ using namespace cohesion;
 
 Foam::fixedBedGrowth::fixedBedGrowth(const exchangeModel& model)
 :
-    particleCriterion(model.free, drag::fixed_bed_growth_limit)
+    particleCriterion(model.response.free, drag::fixed_bed_growth_limit)
 {}
 
 

@@ -9,8 +9,8 @@ using namespace cohesion;
 Foam::pressureWaves::pressureWaves(const exchangeModel& model)
 :
     particleCriterion(true, drag::pressure_grows),
-    free_(model.free),
-    felt_(model.felt)
+    free_(model.response.free),
+    felt_(model.form.shares_pressure)
 {}
 
 

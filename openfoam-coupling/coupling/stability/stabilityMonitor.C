@@ -49,7 +49,7 @@ Foam::stabilityMonitor::stabilityMonitor
 :
     mesh_(mesh),
     ofParticles_(makeCriteria(model)),
-    viscousWaves_(mesh, density, model.felt, addedMass)
+    viscousWaves_(mesh, density, model.form.shares_pressure, addedMass)
 {}
 
 
