@@ -4,9 +4,6 @@
 
 #include "clockTime.H"
 
-#include "sphere.h"
-#include "void_fraction/void_fraction.h"
-
 #include "coupling/drag/meanGasForce.H"
 #include "coupling/particles/engineView.H"
 #include "coupling/particles/writeParticleCloud.H"
@@ -56,22 +53,7 @@ void Foam::gasParticleCoupling::locateParticles()
 void Foam::gasParticleCoupling::setVoidFraction()
 {
     const auto particles = engine_->particles();
-    scalarField volumes(particles.count);
-    forAll(volumes, i)
-    {
-        volumes[i] = sphere_volume(particles.radius[i]);
-    }
-    spreadVolume_ = returnReduce(sum(volumes), sumOp<scalar>());
-    const scalarField solid(averaging_.spread(volumes));
-
-    scalarField& voidFraction = voidFraction_.primitiveFieldRef();
-    forAll(voidFraction, celli)
-    {
-        voidFraction[celli] =
-            void_fraction::void_fraction(solid[celli], mesh_.V()[celli], depthRatio_);
-    }
-    requireMinVoidFraction();
-    voidFraction_.correctBoundaryConditions();
+    voidFraction_.set(engineView(particles.radius, particles.count), averaging_);
 }
 
 
@@ -122,8 +104,8 @@ void Foam::gasParticleCoupling::depositParticles
         locateParticles();
     }
     setVoidFraction();
-    inlets_.check(voidFraction_, U);
-    inletVelocities_.check(voidFraction_, U);
+    inlets_.check(voidFraction(), U);
+    inletVelocities_.check(voidFraction(), U);
     setCoefficients(U);
     setSources(gradPOverRho);
     seconds_.exchange += timer.elapsedTime();

@@ -40,7 +40,7 @@ Foam::scalarField Foam::gasParticleCoupling::rhoAtParticles()
 void Foam::gasParticleCoupling::startExchange(const volVectorField& U)
 {
     const auto particles = engine_->particles();
-    gasAt_.set(voidFraction_, U, averaging_);
+    gasAt_.set(voidFraction(), U, averaging_);
     if (drag_.mixture().mixes)
     {
         sizesAt_.set(engineView(particles.radius, particles.count), mesh_.V(), averaging_);
@@ -185,13 +185,7 @@ void Foam::gasParticleCoupling::setSources(const volVectorField& gradPOverRho)
         }
     }
     const scalarField rate(averaging_.spread(sourceCoefficient_));
-    const vectorField source(averaging_.spread(ofParticles));
-    forAll(rate, celli)
-    {
-        const scalar perGasMass = 1/(volume(celli)*rho_);
-        dragRate_.field()[celli] = rate[celli]*perGasMass;
-        dragSource_.field()[celli] = source[celli]*perGasMass;
-    }
+    sources_.setDrag(rate, averaging_.spread(ofParticles));
     if (liquid_.active())
     {
         scalarField volumes(mesh_.V());
@@ -200,30 +194,8 @@ void Foam::gasParticleCoupling::setSources(const volVectorField& gradPOverRho)
     }
     if (form_.shares_pressure)
     {
-        setPressureSources(gradPOverRho);
+        sources_.addPressure(averaging_.spread(transmittedVolume_), gradPOverRho, voidFraction());
     }
-}
-
-
-void Foam::gasParticleCoupling::setPressureSources(const volVectorField& gradPOverRho)
-{
-    const scalarField transmitted(averaging_.spread(transmittedVolume_));
-    lastGradP_ = rho_*gradPOverRho.primitiveField();
-    forAll(transmitted, celli)
-    {
-        transmittedFraction_[celli] = transmitted[celli]/volume(celli);
-        for (direction d = 0; d < 3; ++d)
-        {
-            dragSource_.field()[celli][d] += drag::last_pressure_on_gas
-            (
-                transmittedFraction_[celli]/rho_,
-                lastGradP_[celli][d],
-                response_.free
-            );
-        }
-    }
-    transmittedFraction_.correctBoundaryConditions();
-    pressureFraction_ = voidFraction_ + transmittedFraction_;
 }
 
 
@@ -240,14 +212,14 @@ void Foam::gasParticleCoupling::checkViscousWaves(const volScalarField& nu)
         volumePerDensity[i] = volume*perDensity;
         ofLightest = max(ofLightest, perDensity);
     }
-    if (monitor_.cellsMayGrow(ofLightest, voidFraction_, nu))
+    if (monitor_.cellsMayGrow(ofLightest, voidFraction(), nu))
     {
         scalarField ofCells(averaging_.spread(volumePerDensity));
         forAll(ofCells, celli)
         {
             ofCells[celli] /= volume(celli);
         }
-        monitor_.checkCells(ofCells, voidFraction_, nu);
+        monitor_.checkCells(ofCells, voidFraction(), nu);
     }
     seconds_.exchange += timer.elapsedTime();
 }
@@ -259,15 +231,7 @@ Foam::vectorField Foam::gasParticleCoupling::transmittedGradient(const volVector
     {
         return vectorField(engine_->particles().count, Zero);
     }
-    vectorField gradient(gradP.primitiveField());
-    forAll(gradient, celli)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            gradient[celli][d] -= drag::last_pressure_on_gas(1, lastGradP_[celli][d], response_.free);
-        }
-    }
-    return averaging_.gather(gradient);
+    return averaging_.gather(sources_.chargedGradient(gradP));
 }
 
 

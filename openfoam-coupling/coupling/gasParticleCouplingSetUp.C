@@ -5,10 +5,8 @@
 #include "OSspecific.H"
 #include "OStringStream.H"
 #include "UPstream.H"
-#include "zeroGradientFvPatchFields.H"
 
 #include "coupling/checks/caseChecks.H"
-#include "coupling/checks/requireDimensions.H"
 #include "coupling/input/readPositive.H"
 #include "coupling/input/selectRow.H"
 #include "coupling/particles/engineMessages.H"
@@ -86,7 +84,6 @@ Foam::gasParticleCoupling::gasParticleCoupling
     response_(selectRow(dict_, "response", drag::responses, "held")),
     liquid_(dict_, drag_.closure()),
     gasAt_(dict_),
-    minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
     coupledParticles_
     (
@@ -105,46 +102,11 @@ Foam::gasParticleCoupling::gasParticleCoupling
     averaging_(mesh, dict_),
     continued_(coupledParticles_.continued()),
     hasLastGradient_(continued_),
-    voidFraction_
-    (
-        IOobject
-        (
-            "voidFraction",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh
-    ),
-    inlets_(voidFraction_),
-    inletVelocities_(voidFraction_),
+    voidFraction_(mesh, dict_, depthRatio_),
+    inlets_(voidFraction()),
+    inletVelocities_(voidFraction()),
     monitor_(mesh, density, {drag_.closure(), form_, response_}, liquid_.addedCoefficient()),
-    transmittedFraction_
-    (
-        IOobject("transmittedFraction", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    ),
-    pressureFraction_
-    (
-        IOobject("pressureFraction", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("one", dimless, 1)
-    ),
-    dragRate_
-    (
-        IOobject("dragRate", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless/dimTime, Zero)
-    ),
-    dragSource_
-    (
-        IOobject("dragSource", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimAcceleration, Zero)
-    ),
+    sources_(mesh, depthRatio_, response_, rho_),
     kept_(mesh.time())
 {
     // Their factors are on a coefficient b that a quadratic drag has not
@@ -155,13 +117,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
             << " agglomerateDrag nor dragFilter, which are laws of grains" << nl
             << "    Remove the entry, or take another drag" << exit(FatalIOError);
     }
-    requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
-    if (!(minVoidFraction_ < 1))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "minVoidFraction = " << minVoidFraction_ << ": must be below 1, the void fraction of a cell without"
-            << " particles; 0.2 is usual" << exit(FatalIOError);
-    }
+    voidFraction_.requireShares();
     requirePatches(mesh_, dict_);
     setDepthRatio();
     asksForSameGravity(dict_);
@@ -170,10 +126,9 @@ Foam::gasParticleCoupling::gasParticleCoupling
     if (!continued_)
     {
         // Until there are particles
-        voidFraction_.primitiveFieldRef() = 1;
-        voidFraction_.correctBoundaryConditions();
+        voidFraction_.setEmpty();
     }
-    requireShareOfVolume(voidFraction_);
+    requireShareOfVolume(voidFraction());
 }
 
 
@@ -203,7 +158,7 @@ void Foam::gasParticleCoupling::start(coupledTime& time)
         locateParticles();
         setVoidFraction();
     }
-    voidFraction_.oldTime();
+    voidFraction().oldTime();
     coupledParticles_.start();
 }
 
