@@ -7,6 +7,39 @@
 using namespace cohesion;
 
 
+Foam::gasParticleCoupling::GasTotals Foam::gasParticleCoupling::gasTotals
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+) const
+{
+    // From the terms of the gas's own equation. Of the mixture's eps rho g - grad p it takes s (rho g - grad p); the
+    // rest is what the particles must have been given.
+    const scalar dt = mesh_.time().deltaTValue();
+    GasTotals totals;
+    forAll(U, celli)
+    {
+        const scalar eps = voidFraction()[celli];
+        const scalar fraction = form_.shares_pressure ? eps : 1;
+        totals.drag += sources_.dragOnGas(celli, U[celli], gradP[celli])*volume(celli)*dt;
+        if (liquid_.active())
+        {
+            totals.drag += liquid_.onCell(celli, U[celli], dt)*rho_*volume(celli)*dt;
+        }
+        totals.pressure +=
+            (
+                (1 - fraction)*gradP[celli]
+              + (fraction - eps)*rho_*density_.ratio(celli)*g_
+            )*volume(celli)*dt;
+        totals.solid += (1 - eps)*volume(celli);
+    }
+    reduce(totals.drag, sumOp<vector>());
+    reduce(totals.pressure, sumOp<vector>());
+    reduce(totals.solid, sumOp<scalar>());
+    return totals;
+}
+
+
 void Foam::gasParticleCoupling::reportBalance
 (
     const volVectorField& U,
@@ -15,28 +48,7 @@ void Foam::gasParticleCoupling::reportBalance
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
-
-    // The gas, from the terms of its own equation. Of the mixture's eps rho g - grad p it takes
-    // s (rho g - grad p); the rest is what the particles must have been given.
-    vector gasDrag = Zero;
-    vector gasPressure = Zero;
-    scalar solidDeposited = 0;
-    forAll(U, celli)
-    {
-        const scalar eps = voidFraction()[celli];
-        const scalar fraction = form_.shares_pressure ? eps : 1;
-        gasDrag += sources_.dragOnGas(celli, U[celli], gradP[celli])*volume(celli)*dt;
-        if (liquid_.active())
-        {
-            gasDrag += liquid_.onCell(celli, U[celli], dt)*rho_*volume(celli)*dt;
-        }
-        gasPressure +=
-            (
-                (1 - fraction)*gradP[celli]
-              + (fraction - eps)*rho_*density_.ratio(celli)*g_
-            )*volume(celli)*dt;
-        solidDeposited += (1 - eps)*volume(celli);
-    }
+    const GasTotals gas(gasTotals(U, gradP));
 
     // The particles, from the engine's own sum of the forces it put on
     const auto felt = engine_->gas_impulse();
@@ -44,19 +56,16 @@ void Foam::gasParticleCoupling::reportBalance
     vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
     vector deferred = sum(deferredImpulse()) - deferredBefore;
 
-    reduce(gasDrag, sumOp<vector>());
-    reduce(gasPressure, sumOp<vector>());
     reduce(drag, sumOp<vector>());
     reduce(pressure, sumOp<vector>());
     reduce(deferred, sumOp<vector>());
-    reduce(solidDeposited, sumOp<scalar>());
 
     const scalar size = mag(drag) + mag(pressure) + VSMALL;
     Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
         << " N, not yet charged to the gas " << deferred/dt
         << " N, imbalance "
-        << mag(gasDrag + drag - deferred + gasPressure + pressure + turnover_.undelivered())/size
-        << ", solid volume error " << voidFraction_.errorOf(solidDeposited) << endl;
+        << mag(gas.drag + drag - deferred + gas.pressure + pressure + turnover_.undelivered())/size
+        << ", solid volume error " << voidFraction_.errorOf(gas.solid) << endl;
 }
 
 
