@@ -203,14 +203,6 @@ void FixGasCoupling::apply_liquid(int i, bool setting_up) {
   add_forces(gas(i), by_pressure, beside_pressure, setting_up);
 }
 
-/// "gas": double** [atoms], each row a GasOnParticle. "liquid": likewise of LiquidOnParticle, which
-/// is kept from then on; null where the rows have no particles. "no_liquid": null, and it is not
-/// kept any more. "gas_impulse": double[6], the impulse of drag and of pressure on this rank's
-/// particles, summed over the steps until the caller resets it. "gravity": double[6], of the
-/// accelerations that fixes gravity give to the particles of this rank and the group that forces
-/// move, along axes on which no fix setforce behind it sets the force: the lowest of each
-/// component, then the highest. "unseen_fixes": char*, fixes that put on forces after this one;
-/// "box_fixes": char*, fixes that change the box; null: none.
 void* FixGasCoupling::extract(const char* name, int& dimension) {
   const std::string asked = name;
   dimension = asked == "gas" || asked == "liquid" ? 2 : 1;

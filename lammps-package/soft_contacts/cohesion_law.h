@@ -28,7 +28,7 @@ Core mixed_law(const Core& a, const Core& b) {
 ///   ADHESION, WITHOUT_ADHESION    its keyword, and that with values of no adhesion
 ///   RESTART_LAYOUT                number of the layout of settings and Parameters in restart files
 ///   Solver                        of src/contact_solver: its normal motion in scheme exact
-///   Sampled                       of src/contact_solver: its normal motion in scheme sampled
+///   Sampled                       of src/sampled_contact: its normal motion in scheme sampled
 ///   keywords()                    of pair_coeff and of the fix, which set Parameters::law
 ///
 /// and hides what is different with it. Its row in cohesion_laws.h makes it known.

@@ -4,9 +4,6 @@
 
 #include "clockTime.H"
 
-#include "sphere.h"
-#include "void_fraction/void_fraction.h"
-
 #include "coupling/drag/meanGasForce.H"
 #include "coupling/particles/engineView.H"
 #include "coupling/particles/writeParticleCloud.H"
@@ -56,22 +53,7 @@ void Foam::gasParticleCoupling::locateParticles()
 void Foam::gasParticleCoupling::setVoidFraction()
 {
     const auto particles = engine_->particles();
-    scalarField volumes(particles.count);
-    forAll(volumes, i)
-    {
-        volumes[i] = sphere_volume(particles.radius[i]);
-    }
-    spreadVolume_ = returnReduce(sum(volumes), sumOp<scalar>());
-    const scalarField solid(averaging_.spread(volumes));
-
-    scalarField& voidFraction = voidFraction_.primitiveFieldRef();
-    forAll(voidFraction, celli)
-    {
-        voidFraction[celli] =
-            void_fraction::void_fraction(solid[celli], mesh_.V()[celli], depthRatio_);
-    }
-    requireMinVoidFraction();
-    voidFraction_.correctBoundaryConditions();
+    voidFraction_.set(engineView(particles.radius, particles.count), averaging_);
 }
 
 
@@ -96,11 +78,14 @@ Foam::scalar Foam::gasParticleCoupling::particleCourantNumber() const
 void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 {
     averaging_.exchange().startStep();
-    step_->checkCourant(courant);
     if (step_->adjustable())
     {
         locateParticles();
         step_->adjust(time, max(courant, particleCourantNumber()));
+    }
+    else
+    {
+        monitor_.checkCourant(courant);
     }
 }
 
@@ -108,7 +93,7 @@ void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 void Foam::gasParticleCoupling::depositParticles
 (
     const volVectorField& U,
-    const volVectorField& gradP
+    const volVectorField& gradPOverRho
 )
 {
     const clockTime timer;
@@ -119,10 +104,10 @@ void Foam::gasParticleCoupling::depositParticles
         locateParticles();
     }
     setVoidFraction();
-    inlets_.check(voidFraction_, U);
-    inletVelocities_.check(voidFraction_, U);
+    inlets_.check(voidFraction(), U);
+    inletVelocities_.check(voidFraction(), U);
     setCoefficients(U);
-    setSources(gradP);
+    setSources(gradPOverRho);
     seconds_.exchange += timer.elapsedTime();
 }
 
@@ -136,50 +121,40 @@ void Foam::gasParticleCoupling::advanceParticles
     clockTime timer;
     const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
     const vector deferredBefore = sum(deferredImpulse());
-    vectorField felt(gradP.primitiveField());
-    if (form_.gas_takes_all)
-    {
-        forAll(felt, celli)
-        {
-            felt[celli] = rho_*density_.ratio(celli)*g_;
-        }
-    }
-    setGasOnParticles(gasVelocity, averaging_.gather(felt), transmittedGradient(gradP));
+    setGasOnParticles(gasVelocity, pressureOnParticles(gradP), transmittedGradient(gradP));
+    hasLastGradient_ = true;
     if (liquid_.active())
     {
-        drag::GasOnParticle* gas = engine_->gas();
-        const auto charge = [gas](const label i, const vector& impulse)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                gas[i].drag_impulse[d] -= impulse[d];
-            }
-        };
-        liquid_.give(engine_->liquid(), U.primitiveField(), mesh_.time().deltaTValue(), averaging_, charge);
+        setLiquidOnParticles(U);
     }
+    turnover_.start(*engine_, mesh_.time().deltaTValue());
+    seconds_.exchange += timer.timeIncrement();
 
+    runEngine();
+    seconds_.particles += timer.timeIncrement();
+
+    turnover_.end(*engine_);
+    reportBalance(U, gradP, deferredBefore);
+    seconds_.exchange += timer.timeIncrement();
+}
+
+
+void Foam::gasParticleCoupling::runEngine()
+{
     const Time& time = mesh_.time();
-    turnover_.start(*engine_, time.deltaTValue());
     const bool write = time.writeTime();
+    const fileName state = write ? completeState::engineFile(time) : fileName();
     gasForce_.clear();
     std::optional<meanGasForce> force;
     if (write)
     {
         force.emplace(*engine_);
     }
-    seconds_.exchange += timer.timeIncrement();
-
-    const fileName state = write ? completeState::engineFile(time) : fileName();
     engineWorks([&]() { engine_->advance(step_->subSteps(), state); });
-    seconds_.particles += timer.timeIncrement();
-
     if (write)
     {
         gasForce_ = force->over(time.deltaTValue());
     }
-    turnover_.end(*engine_);
-    reportBalance(U, gradP, deferredBefore);
-    seconds_.exchange += timer.timeIncrement();
 }
 
 

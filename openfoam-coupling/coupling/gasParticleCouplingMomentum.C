@@ -4,6 +4,7 @@
 
 #include "clockTime.H"
 
+#include "drag/exchange_error.h"
 #include "drag/momentum_exchange.h"
 #include "liquid/liquid_exchange.h"
 #include "sphere.h"
@@ -25,22 +26,22 @@ Foam::List<Foam::vector> Foam::gasParticleCoupling::deferredImpulse() const
 }
 
 
-void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
+Foam::scalarField Foam::gasParticleCoupling::rhoAtParticles()
 {
-    const scalar dt = mesh_.time().deltaTValue();
-    const auto particles = engine_->particles();
-    const auto velocity = engineView(particles.velocity, particles.count);
-    const auto position = engineView(particles.position, particles.count);
-    gasAt_.set(voidFraction_, U, averaging_);
-    // The density is that of the particle's cells, with either slip.
-    scalarField rho(particles.count, rho_);
+    scalarField rho(engine_->particles().count, rho_);
     if (density_.ideal())
     {
         rho *= averaging_.gather(density_.ratio().primitiveField());
     }
+    return rho;
+}
 
-    const bool mixes = drag_.mixture().mixes;
-    if (mixes)
+
+void Foam::gasParticleCoupling::startExchange(const volVectorField& U)
+{
+    const auto particles = engine_->particles();
+    gasAt_.set(voidFraction(), U, averaging_);
+    if (drag_.mixture().mixes)
     {
         sizesAt_.set(engineView(particles.radius, particles.count), mesh_.V(), averaging_);
     }
@@ -57,43 +58,87 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
     {
         liquid_.start(particles.count, U, averaging_);
     }
-    const bool transmits = hasLastGradient_ && !form_.gas_takes_all;
+}
+
+
+Foam::particleDrag::Drag Foam::gasParticleCoupling::dragOn
+(
+    const label i,
+    const particleDrag::DragConditions& sphere
+)
+{
+    particleDrag::Drag drag =
+        drag_.mixture().mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
+    if (bound_.on())
+    {
+        drag.coefficient *= bound_.factor(i, sphere);
+    }
+    if (filter_.active())
+    {
+        const scalar d = drag_.parcels().drag_diameter(2*sphere.radius);
+        const powder::Grain grain{d, sphere.mass/sphere_volume(sphere.radius)};
+        drag.coefficient *= filter_.factor(i, sphere.voidFraction, grain, sphere.rho);
+    }
+    return drag;
+}
+
+
+void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
+{
+    startExchange(U);
+    const scalarField rho(rhoAtParticles());
+    const auto particles = engine_->particles();
+    const auto velocity = engineView(particles.velocity, particles.count);
+    const auto position = engineView(particles.position, particles.count);
     coefficient_.setSize(particles.count);
     sourceCoefficient_.setSize(particles.count);
     transmittedVolume_.setSize(particles.count);
     forAll(coefficient_, i)
     {
-        const scalar voidFraction = gasAt_.voidFraction()[i];
         const scalar slip = mag(gasAt_.velocity()[i] - velocity[i]);
-        const scalar radius = particles.radius[i];
-        const scalar mass = particles.mass[i];
-        const particleDrag::DragConditions sphere{voidFraction, slip, radius, rho[i], mass};
-        auto [b, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
-        if (bound_.on())
-        {
-            b *= bound_.factor(i, sphere);
-        }
-        if (filter_.active())
-        {
-            const scalar d = drag_.parcels().drag_diameter(2*radius);
-            b *= filter_.factor(i, voidFraction, {d, mass/sphere_volume(radius)}, rho[i]);
-        }
-        coefficient_[i] = b;
-        if (liquid_.active())
-        {
-            setLiquid(i, sphere, b);
-        }
-        const scalar added = liquid_.addedMass(rho[i], sphere_volume(radius));
-        sourceCoefficient_[i] = liquid::source_coefficient(b, mass, added, dt, response_.free);
-        transmittedVolume_[i] =
-            transmits ? liquid::transmitted_volume(b, mass, added, sphere_volume(radius), dt) : 0;
-        monitor_.add({position[i], voidFraction, reynolds, b, radius, mass, mass + added, rho[i]});
+        setCoefficient
+        (
+            i,
+            {gasAt_.voidFraction()[i], slip, particles.radius[i], rho[i], particles.mass[i]},
+            position[i]
+        );
     }
-    monitor_.endStep(particles.count);
+    monitor_.endStep();
     if (bound_.on())
     {
         bound_.endStep();
     }
+}
+
+
+void Foam::gasParticleCoupling::setCoefficient
+(
+    const label i,
+    const particleDrag::DragConditions& sphere,
+    const vector& position
+)
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    const scalar mass = sphere.mass;
+    const scalar volume = sphere_volume(sphere.radius);
+    const scalar added = liquid_.addedMass(sphere.rho, volume);
+    const auto [b, reynolds] = dragOn(i, sphere);
+    coefficient_[i] = b;
+    if (liquid_.active())
+    {
+        setLiquid(i, sphere, b);
+    }
+    sourceCoefficient_[i] = liquid::source_coefficient(b, mass, added, dt, response_.free);
+    const bool transmits = hasLastGradient_ && form_.shares_pressure;
+    transmittedVolume_[i] = transmits ? liquid::transmitted_volume(b, mass, added, volume, dt) : 0;
+    monitor_.add
+    ({
+        position,
+        sphere.voidFraction,
+        reynolds,
+        drag::exchange_step(b, mass + added, dt),
+        drag::mass_loading(sphere.voidFraction, mass, volume, sphere.rho)
+    });
 }
 
 
@@ -115,7 +160,7 @@ void Foam::gasParticleCoupling::setLiquid(const label i, const particleDrag::Dra
 }
 
 
-void Foam::gasParticleCoupling::setSources(const volVectorField& gradP)
+void Foam::gasParticleCoupling::setSources(const volVectorField& gradPOverRho)
 {
     const scalar dt = mesh_.time().deltaTValue();
     const auto particles = engine_->particles();
@@ -140,45 +185,17 @@ void Foam::gasParticleCoupling::setSources(const volVectorField& gradP)
         }
     }
     const scalarField rate(averaging_.spread(sourceCoefficient_));
-    const vectorField source(averaging_.spread(ofParticles));
-    forAll(rate, celli)
-    {
-        const scalar perGasMass = 1/(volume(celli)*rho_);
-        dragRate_.field()[celli] = rate[celli]*perGasMass;
-        dragSource_.field()[celli] = source[celli]*perGasMass;
-    }
+    sources_.setDrag(rate, averaging_.spread(ofParticles));
     if (liquid_.active())
     {
         scalarField volumes(mesh_.V());
         volumes *= depthRatio_;
         liquid_.setCells(averaging_, volumes, rho_);
     }
-    if (!form_.gas_takes_all)
+    if (form_.shares_pressure)
     {
-        setPressureSources(gradP);
+        sources_.addPressure(averaging_.spread(transmittedVolume_), gradPOverRho, voidFraction());
     }
-}
-
-
-void Foam::gasParticleCoupling::setPressureSources(const volVectorField& gradP)
-{
-    const scalarField transmitted(averaging_.spread(transmittedVolume_));
-    lastGradP_ = rho_*gradP.primitiveField();
-    forAll(transmitted, celli)
-    {
-        transmittedFraction_[celli] = transmitted[celli]/volume(celli);
-        for (direction d = 0; d < 3; ++d)
-        {
-            dragSource_.field()[celli][d] += drag::last_pressure_on_gas
-            (
-                transmittedFraction_[celli]/rho_,
-                lastGradP_[celli][d],
-                response_.free
-            );
-        }
-    }
-    transmittedFraction_.correctBoundaryConditions();
-    pressureFraction_ = voidFraction_ + transmittedFraction_;
 }
 
 
@@ -195,14 +212,14 @@ void Foam::gasParticleCoupling::checkViscousWaves(const volScalarField& nu)
         volumePerDensity[i] = volume*perDensity;
         ofLightest = max(ofLightest, perDensity);
     }
-    if (monitor_.cellsMayGrow(ofLightest, voidFraction_, nu))
+    if (monitor_.cellsMayGrow(ofLightest, voidFraction(), nu))
     {
         scalarField ofCells(averaging_.spread(volumePerDensity));
         forAll(ofCells, celli)
         {
             ofCells[celli] /= volume(celli);
         }
-        monitor_.checkCells(ofCells, voidFraction_, nu);
+        monitor_.checkCells(ofCells, voidFraction(), nu);
     }
     seconds_.exchange += timer.elapsedTime();
 }
@@ -210,19 +227,26 @@ void Foam::gasParticleCoupling::checkViscousWaves(const volScalarField& nu)
 
 Foam::vectorField Foam::gasParticleCoupling::transmittedGradient(const volVectorField& gradP)
 {
-    if (form_.gas_takes_all)
+    if (!form_.shares_pressure)
     {
         return vectorField(engine_->particles().count, Zero);
     }
-    vectorField gradient(gradP.primitiveField());
-    forAll(gradient, celli)
+    return averaging_.gather(sources_.chargedGradient(gradP));
+}
+
+
+Foam::vectorField Foam::gasParticleCoupling::pressureOnParticles(const volVectorField& gradP)
+{
+    if (form_.shares_pressure)
     {
-        for (direction d = 0; d < 3; ++d)
-        {
-            gradient[celli][d] -= drag::last_pressure_on_gas(1, lastGradP_[celli][d], response_.free);
-        }
+        return averaging_.gather(gradP.primitiveField());
     }
-    return averaging_.gather(gradient);
+    vectorField weight(gradP.size());
+    forAll(weight, celli)
+    {
+        weight[celli] = rho_*density_.ratio(celli)*g_;
+    }
+    return averaging_.gather(weight);
 }
 
 
@@ -236,7 +260,6 @@ void Foam::gasParticleCoupling::setGasOnParticles
     const scalar dt = mesh_.time().deltaTValue();
     const auto velocity = engine_->particles().velocity;
     drag::GasOnParticle* gas = engine_->gas();
-    hasLastGradient_ = true;
     forAll(coefficient_, i)
     {
         gas[i].drag_coefficient = coefficient_[i];
@@ -249,4 +272,18 @@ void Foam::gasParticleCoupling::setGasOnParticles
             gas[i].pressure_gradient[d] = pressureGradient[i][d];
         }
     }
+}
+
+
+void Foam::gasParticleCoupling::setLiquidOnParticles(const volVectorField& U)
+{
+    drag::GasOnParticle* gas = engine_->gas();
+    const auto charge = [gas](const label i, const vector& impulse)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            gas[i].drag_impulse[d] -= impulse[d];
+        }
+    };
+    liquid_.give(engine_->liquid(), U.primitiveField(), mesh_.time().deltaTValue(), averaging_, charge);
 }

@@ -1,76 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the coupling prints: cells that are too dense, the balance of each step, where the time went.
+// What the coupling prints: the balance of each step, where the time went.
 #include "gasParticleCoupling.H"
 
-#include "void_fraction/sphere_overlap.h"
-
 #include "sixDigits.H"
-#include "stability/rankOfLargest.H"
-
-#include <string>
 
 using namespace cohesion;
 
 
-void Foam::gasParticleCoupling::requireMinVoidFraction() const
+Foam::gasParticleCoupling::GasTotals Foam::gasParticleCoupling::gasTotals
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+) const
 {
-    label tooDense = 0;
-    scalar excess = 0;
-    scalar lowest = GREAT;
-    label lowestCell = -1;
-    forAll(voidFraction_, celli)
+    // From the terms of the gas's own equation. Of the mixture's eps rho g - grad p it takes s (rho g - grad p); the
+    // rest is what the particles must have been given.
+    const scalar dt = mesh_.time().deltaTValue();
+    GasTotals totals;
+    forAll(U, celli)
     {
-        if (voidFraction_[celli] < minVoidFraction_)
+        const scalar eps = voidFraction()[celli];
+        const scalar fraction = form_.shares_pressure ? eps : 1;
+        totals.drag += sources_.dragOnGas(celli, U[celli], gradP[celli])*volume(celli)*dt;
+        if (liquid_.active())
         {
-            ++tooDense;
-            excess += (minVoidFraction_ - voidFraction_[celli])*volume(celli);
-            if (voidFraction_[celli] < lowest)
-            {
-                lowest = voidFraction_[celli];
-                lowestCell = celli;
-            }
+            totals.drag += liquid_.onCell(celli, U[celli], dt)*rho_*volume(celli)*dt;
         }
+        totals.pressure +=
+            (
+                (1 - fraction)*gradP[celli]
+              + (fraction - eps)*rho_*density_.ratio(celli)*g_
+            )*volume(celli)*dt;
+        totals.solid += (1 - eps)*volume(celli);
     }
-    if (!returnReduce(tooDense, sumOp<label>()))
-    {
-        return;
-    }
-    const scalar ofRank = lowest;
-    reduce(lowest, minOp<scalar>());
-    const bool mine = isRankOfLargest(-ofRank, -lowest);
-    const point where = valueOfRank(mine, mine ? mesh_.C()[lowestCell] : point::zero);
-    const scalar size = valueOfRank(mine, mine ? mesh_.V()[lowestCell] : 0);
-    const label number = valueOfRank(mine, lowestCell);
-    const label rank = valueOfRank(mine, Pstream::myProcNo());
-    reduce(tooDense, sumOp<label>());
-    reduce(excess, sumOp<scalar>());
-    const std::string whose(Pstream::parRun() ? " of rank " + std::to_string(rank) : "");
-    const std::string cure(denseCellCure(size));
-
-    FatalIOErrorInFunction(dict_)
-        << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
-        << "; the lowest is " << lowest << ", of cell " << number << whose.c_str() << " at " << where << ", of "
-        << sixDigits(size).c_str() << " m3" << nl
-        << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/spreadVolume_
-        << " % of all particles; nothing is clipped. " << cure.c_str() << exit(FatalIOError);
-}
-
-
-std::string Foam::gasParticleCoupling::denseCellCure(const scalar size) const
-{
-    const std::string larger(dict_.found("smoothingWidth") ? "larger " : "");
-    const scalar mean = gSum(mesh_.V().field())/mesh_.globalData().nTotalCells();
-    if (size < 0.5*mean)
-    {
-        const scalar diameter = 2*gMax(scalarField(coupledParticles_.radii()));
-        return "The cell has " + sixDigits(100*size/mean) + " % of the mean cell volume, " + sixDigits(mean) + " m3: a"
-            " cell that a wall or a refinement cuts this small may lie within particles. A " + larger
-          + "smoothingWidth of one particle diameter, " + sixDigits(diameter) + " m, cures it, or,"
-            " where such cells are few, a lower minVoidFraction; or larger cells at the wall";
-    }
-    const bool overlap = dict_.get<word>("voidFraction") == void_fraction::SphereOverlap::name;
-    return std::string("Cells of a few particle diameters cure it") + (overlap ? "" : ", voidFraction sphereOverlap")
-      + ", or, in a bed twenty widths high and more, a " + larger + "smoothingWidth";
+    reduce(totals.drag, sumOp<vector>());
+    reduce(totals.pressure, sumOp<vector>());
+    reduce(totals.solid, sumOp<scalar>());
+    return totals;
 }
 
 
@@ -82,31 +48,7 @@ void Foam::gasParticleCoupling::reportBalance
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
-
-    // The gas, from the terms of its own equation. Of the mixture's eps rho g - grad p it takes
-    // s (rho g - grad p); the rest is what the particles must have been given.
-    vector gasDrag = Zero;
-    vector gasPressure = Zero;
-    scalar solidDeposited = 0;
-    forAll(U, celli)
-    {
-        const scalar fraction = form_.gas_takes_all ? 1 : voidFraction_[celli];
-        gasDrag +=
-            (
-                (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_
-              - transmittedFraction_[celli]*gradP[celli]
-            )*volume(celli)*dt;
-        if (liquid_.active())
-        {
-            gasDrag += liquid_.onCell(celli, U[celli], dt)*rho_*volume(celli)*dt;
-        }
-        gasPressure +=
-            (
-                (1 - fraction)*gradP[celli]
-              + (fraction - voidFraction_[celli])*rho_*density_.ratio(celli)*g_
-            )*volume(celli)*dt;
-        solidDeposited += (1 - voidFraction_[celli])*volume(celli);
-    }
+    const GasTotals gas(gasTotals(U, gradP));
 
     // The particles, from the engine's own sum of the forces it put on
     const auto felt = engine_->gas_impulse();
@@ -114,19 +56,16 @@ void Foam::gasParticleCoupling::reportBalance
     vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
     vector deferred = sum(deferredImpulse()) - deferredBefore;
 
-    reduce(gasDrag, sumOp<vector>());
-    reduce(gasPressure, sumOp<vector>());
     reduce(drag, sumOp<vector>());
     reduce(pressure, sumOp<vector>());
     reduce(deferred, sumOp<vector>());
-    reduce(solidDeposited, sumOp<scalar>());
 
     const scalar size = mag(drag) + mag(pressure) + VSMALL;
     Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
         << " N, not yet charged to the gas " << deferred/dt
         << " N, imbalance "
-        << mag(gasDrag + drag - deferred + gasPressure + pressure + turnover_.undelivered())/size
-        << ", solid volume error " << mag(solidDeposited - spreadVolume_)/max(spreadVolume_, VSMALL) << endl;
+        << mag(gas.drag + drag - deferred + gas.pressure + pressure + turnover_.undelivered())/size
+        << ", solid volume error " << voidFraction_.errorOf(gas.solid) << endl;
 }
 
 

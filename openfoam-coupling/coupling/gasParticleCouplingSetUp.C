@@ -2,68 +2,17 @@
 // Set-up of the coupling: reads the dictionary, starts the engine, checks that both fit together.
 #include "gasParticleCoupling.H"
 
-#include "OSspecific.H"
-#include "OStringStream.H"
 #include "UPstream.H"
-#include "zeroGradientFvPatchFields.H"
 
 #include "coupling/checks/caseChecks.H"
-#include "coupling/checks/requireDimensions.H"
+#include "coupling/input/engineOfCase.H"
 #include "coupling/input/readPositive.H"
 #include "coupling/input/selectRow.H"
-#include "coupling/particles/engineMessages.H"
 #include "coupling/particles/reportParticles.H"
 #include "coupling/restart/completeState.H"
 #include "dem-engines/load_dem_engine.h"
 
 using namespace cohesion;
-
-
-namespace
-{
-
-//- An entry as the script gets it: numbers with all digits that a case is likely to have
-std::string inWords(const Foam::ITstream& entry)
-{
-    Foam::OStringStream words;
-    words.precision(15);
-    forAll(entry, k)
-    {
-        if (k)
-        {
-            words << ' ';
-        }
-        const Foam::token& token = entry[k];
-        token.isString() ? words.writeQuoted(token.stringToken(), false) : words << token;
-    }
-    return words.str();
-}
-
-
-//- FatalIOError where a variable has a name that the solver sets
-void requireOwnName(const Foam::dictionary& coeffs, const Foam::word& variable)
-{
-    using namespace Foam;
-    if (variable == "restart" || variable == "continued")
-    {
-        FatalIOErrorInFunction(coeffs)
-            << "variables: '" << variable << "' is set by the solver: 'continued' says whether a run of this case is"
-            << " continued, and 'restart' is the file of its particles, 'none' in a new run" << nl
-            << "    To begin a new run from a file of particles, take another name, for instance 'settled', and"
-            << " 'read_restart ${settled}' in the script where the run is not continued" << exit(FatalIOError);
-    }
-}
-
-
-//- Explains the file name 'none' in an engine's error: it is the value of the variable restart.
-std::string withHint(const std::string& text)
-{
-    const bool ofNewRun = text.find("restart file none") != std::string::npos;
-    return !ofNewRun ? text : text + "\n    In a new run the variable 'restart', which the solver sets, is 'none': read"
-        " it only where 'continued' says so, and give the file that a new run begins from another name";
-}
-
-} // End anonymous namespace
 
 
 Foam::gasParticleCoupling::gasParticleCoupling
@@ -86,7 +35,6 @@ Foam::gasParticleCoupling::gasParticleCoupling
     response_(selectRow(dict_, "response", drag::responses, "held")),
     liquid_(dict_, drag_.closure()),
     gasAt_(dict_),
-    minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
     coupledParticles_
     (
@@ -105,46 +53,11 @@ Foam::gasParticleCoupling::gasParticleCoupling
     averaging_(mesh, dict_),
     continued_(coupledParticles_.continued()),
     hasLastGradient_(continued_),
-    voidFraction_
-    (
-        IOobject
-        (
-            "voidFraction",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh
-    ),
-    inlets_(voidFraction_),
-    inletVelocities_(voidFraction_),
-    monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all, liquid_.addedCoefficient()),
-    transmittedFraction_
-    (
-        IOobject("transmittedFraction", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    ),
-    pressureFraction_
-    (
-        IOobject("pressureFraction", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("one", dimless, 1)
-    ),
-    dragRate_
-    (
-        IOobject("dragRate", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless/dimTime, Zero)
-    ),
-    dragSource_
-    (
-        IOobject("dragSource", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimAcceleration, Zero)
-    ),
+    voidFraction_(mesh, dict_, depthRatio_),
+    inlets_(voidFraction()),
+    inletVelocities_(voidFraction()),
+    monitor_(mesh, density, {drag_.closure(), form_, response_}, liquid_.addedCoefficient()),
+    sources_(mesh, depthRatio_, response_, rho_),
     kept_(mesh.time())
 {
     // Their factors are on a coefficient b that a quadratic drag has not
@@ -155,13 +68,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
             << " agglomerateDrag nor dragFilter, which are laws of grains" << nl
             << "    Remove the entry, or take another drag" << exit(FatalIOError);
     }
-    requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
-    if (!(minVoidFraction_ < 1))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "minVoidFraction = " << minVoidFraction_ << ": must be below 1, the void fraction of a cell without"
-            << " particles; 0.2 is usual" << exit(FatalIOError);
-    }
+    voidFraction_.requireShares();
     requirePatches(mesh_, dict_);
     setDepthRatio();
     asksForSameGravity(dict_);
@@ -170,10 +77,9 @@ Foam::gasParticleCoupling::gasParticleCoupling
     if (!continued_)
     {
         // Until there are particles
-        voidFraction_.primitiveFieldRef() = 1;
-        voidFraction_.correctBoundaryConditions();
+        voidFraction_.setEmpty();
     }
-    requireShareOfVolume(voidFraction_);
+    requireShareOfVolume(voidFraction());
 }
 
 
@@ -203,7 +109,7 @@ void Foam::gasParticleCoupling::start(coupledTime& time)
         locateParticles();
         setVoidFraction();
     }
-    voidFraction_.oldTime();
+    voidFraction().oldTime();
     coupledParticles_.start();
 }
 
@@ -232,71 +138,11 @@ void Foam::gasParticleCoupling::setDepthRatio()
 }
 
 
-coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word& name)
-{
-    const dictionary& coeffs = dict_.subDict(name + "Coeffs");
-    coupling::DemEngineSettings settings;
-    settings.folder = mesh_.time().globalPath();
-    // Engines may end the process with an error once they have shown it.
-    settings.on_message =
-        [show = engineMessages(name), &kept = kept_](const coupling::MessageLevel level, const std::string& text)
-    {
-        show(level, withHint(text));
-        if (level == coupling::MessageLevel::error)
-        {
-            kept.release();
-        }
-    };
-    settings.script = coeffs.get<fileName>("script").expand();
-    settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
-    if (continued_)
-    {
-        settings.restart = completeState::restartFile(mesh_.time());
-        settings.log += "." + mesh_.time().timeName();
-    }
-    for (const entry& variable : coeffs.subOrEmptyDict("variables"))
-    {
-        requireOwnName(coeffs, variable.keyword());
-        settings.variables[variable.keyword()] = inWords(variable.stream());
-    }
-    settings.communicator = MPI_COMM_WORLD;
-
-    const fileName script(settings.script);
-    const fileName path(script.isAbsolute() ? script : settings.folder/script);
-    if (!isFile(path))
-    {
-        FatalIOErrorInFunction(coeffs)
-            << "script '" << script.c_str() << "' "
-            << (isDir(path) ? "is a folder" : "does not exist") << "; name the input script of "
-            << name << ", relative to the case folder " << settings.folder.c_str()
-            << exit(FatalIOError);
-    }
-    return settings;
-}
-
-
-Foam::gasParticleCoupling::EngineOfCase Foam::gasParticleCoupling::engineOfCase()
-{
-    const word name(dict_.get<word>("demEngine"));
-    // The name first: a misspelt one is not a missing dictionary.
-    const auto& row = coupling::dem_engine(name);
-    coupling::DemEngineSettings settings(engineSettings(name));
-    const dictionary& coeffs = dict_.subDict(name + "Coeffs");
-    const std::string library
-    (
-        coeffs.found("library")
-      ? coeffs.get<fileName>("library").expand()
-      : fileName(coupling::dem_engine_library(row))
-    );
-    return {name, library, std::move(settings)};
-}
-
-
 void Foam::gasParticleCoupling::requireEngine()
 {
     try
     {
-        const EngineOfCase engine(engineOfCase());
+        const engineOfCase engine(readEngine(dict_, mesh_.time(), continued_, kept_));
         checkScript(dict_.subDict(engine.name + "Coeffs"), engine.settings, dict_.ownVariables(engine.name));
         if (!continued_)
         {
@@ -312,7 +158,7 @@ void Foam::gasParticleCoupling::requireEngine()
 
 void Foam::gasParticleCoupling::requireStepOfScript(coupledTime& time)
 {
-    const scalar step = continued_ ? 0 : stepOfScript(engineOfCase().settings);
+    const scalar step = continued_ ? 0 : stepOfScript(readEngine(dict_, mesh_.time(), continued_, kept_).settings);
     if (step > 0 && !time.controlDict().getOrDefault("adjustTimeStep", false))
     {
         const gasStep trial(time, step, continued_);
@@ -324,7 +170,7 @@ void Foam::gasParticleCoupling::makeEngine()
 {
     try
     {
-        const auto [name, library, settings] = engineOfCase();
+        const auto [name, library, settings] = readEngine(dict_, mesh_.time(), continued_, kept_);
         if (!Pstream::parRun())
         {
             // The engine needs MPI, which a serial OpenFOAM leaves alone.
@@ -340,7 +186,7 @@ void Foam::gasParticleCoupling::makeEngine()
     }
     catch (const std::exception& error)
     {
-        FatalIOErrorInFunction(dict_) << withHint(error.what()).c_str() << exit(FatalIOError);
+        FatalIOErrorInFunction(dict_) << engineErrorText(error.what()).c_str() << exit(FatalIOError);
     }
 }
 

@@ -2,16 +2,6 @@
 #include "gasStep.H"
 
 #include "coupling/input/readPositive.H"
-#include "coupling/sixDigits.H"
-
-namespace
-{
-
-//- Courant number of the gas, in steps of one length, above which there is a warning. One is advised (maxCo); bubbles
-//  that burst are faster for a moment.
-constexpr Foam::scalar largestCourant = 2;
-
-} // End anonymous namespace
 
 
 Foam::gasStep::gasStep(coupledTime& time, const scalar particleStep, const bool continued)
@@ -64,20 +54,6 @@ void Foam::gasStep::requireEntries(const Time& time)
             }
         }
     }
-}
-
-
-void Foam::gasStep::checkCourant(const scalar courant)
-{
-    if (adjustable() || !courantWarning_.due() || !(courant > largestCourant))
-    {
-        return;
-    }
-    WarningOnceInFunction(courantWarning_)
-        << "the Courant number of the gas is " << sixDigits(courant).c_str() << " at time " << time_.timeName()
-        << ": in a step of deltaT = " << time_.deltaTValue() << " s it crosses that many cells, and what it does within fewer is lost" << nl
-        << "    Take a deltaT of at most " << sixDigits(time_.deltaTValue()/courant).c_str() << " s, or 'adjustTimeStep yes; maxCo 1;' in"
-        << " system/controlDict; this is said once" << endl;
 }
 
 

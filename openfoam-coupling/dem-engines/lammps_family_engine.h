@@ -246,9 +246,8 @@ class LammpsFamilyEngine : public DemEngine {
     std::_Exit(at_work_->rank_ == 0 || !finalized ? EXIT_FAILURE : EXIT_SUCCESS);
   }
 
-  /// Throws DemEngineError unless the script has made spheres that feel the gas.
-  /// A step of no length would make the drag, and what contacts do in a step, numbers that are
-  /// none.
+  /// Throws DemEngineError unless the script has set a time step of finite length. Without one the
+  /// drag and the forces of contacts would not be numbers.
   void require_step(const std::string& script) const {
     const double dt = lammps_->update->dt;
     if (!(dt > 0.0 && std::isfinite(dt)))
@@ -257,6 +256,7 @@ class LammpsFamilyEngine : public DemEngine {
                            "deltaT in system/controlDict is a whole multiple");
   }
 
+  /// Throws DemEngineError unless the script has made spheres that feel the gas.
   void require_coupled(const std::string& script) {
     if (!lammps_->domain->box_exist)
       throw DemEngineError("the script '" + script + "' makes no simulation box");

@@ -6,8 +6,8 @@ Application
 Description
     Transient solver for the volume-averaged flow of a gas, incompressible or an ideal one of one
     temperature, through particles that a particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a
-    turbulence model where there is a constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
-    constraints by constant/fvOptions, function objects in system/controlDict.
+    turbulence model where there is a constant/turbulenceProperties. PIMPLE for the gas, one exchange each way
+    per gas step. Sources and constraints by constant/fvOptions, function objects in system/controlDict.
 
     Forms A and B of the model, src/drag/model_form.h.
 
@@ -70,20 +70,7 @@ int main(int argc, char* argv[])
         return 0;
     }
     #include "createFlow.H"
-
-    // The particle script may settle for minutes: what can be wrong without it is looked for before.
-    warnOfMisspeltEntries(runTime, pimple.dict(), transportProperties);
-    requireGasEntries(pimple, gas, stress, U, p);
-    if (!coupling.continued())
-    {
-        tryTurbulence(pimple, stress, U);
-    }
-    runTime.functionObjects().start();
-    if (!coupling.continued())
-    {
-        warnOfUnreadFields(mesh);
-    }
-    coupling.checkInlets(U);
+    #include "checkCase.H"
     coupling.start(runTime);
     #include "startFlow.H"
     coupling.checkInlets(U);
@@ -112,26 +99,7 @@ int main(int argc, char* argv[])
             {
                 coupling.checkViscousWaves(stress.viscosity());
             }
-            voidFractionf = fvc::interpolate(voidFraction);
-            voidFractionPhi = voidFractionf*phi;
-            gas.startStep();
-
-            while (pimple.loop())
-            {
-                #include "UEqn.H"
-
-                while (pimple.correct())
-                {
-                    #include "pEqn.H"
-                }
-
-                if (pimple.turbCorr())
-                {
-                    stress.correct();
-                }
-            }
-            #include "continuityError.H"
-            density.requirePositive();
+            #include "solveGas.H"
 
             coupling.advanceParticles(U, rho*gradP);
 

@@ -36,16 +36,16 @@ inline double late_exchange_error(double step, double loading, bool free) {
 /// beyond is what does not get better with stiffer drag.
 inline constexpr double exchange_error_limit = 0.05;
 
-/// Size of the gas velocity after a step over that before, [1], between particles that are held,
-/// when the gas is solved with particles that follow: what they feel beyond is charged a step late,
-/// and from R (x - 2 (1 - exp(-x))) = 2 on the velocity swings and grows.
-inline double held_growth(double step, double loading) {
+/// Size of the gas velocity after a step over that before, [1], in a bed of fixed particles when
+/// the gas is solved with particles that follow, response free. The rest of the drag on them is
+/// charged a step late, and from R (x - 2 (1 - exp(-x))) = 2 on the velocity swings and grows.
+inline double fixed_bed_growth(double step, double loading) {
   const double gain = -std::expm1(-step);
   return std::abs(1.0 - loading * (step - gain)) / (1.0 + loading * gain);
 }
 
-/// The held_growth(), [1], above which the gas velocity grows.
-inline constexpr double held_growth_limit = 1.0;
+/// The fixed_bed_growth(), [1], above which the gas velocity grows.
+inline constexpr double fixed_bed_growth_limit = 1.0;
 
 /// x of a step: dt over the time m/b in which a particle follows the gas, [1]. coefficient b
 /// [force time/length], mass [mass] > 0, dt [time].

@@ -31,13 +31,14 @@ struct ModelForm {
   double (*drag_over_a)(double void_fraction);
   /// That of a sphere among others over that of equal ones with their Sauter mean, per volume [1].
   double (*mixed_drag)(const MixtureLaw&, double void_fraction, double d, const SizesAround&);
-  /// Whether the gas takes all of grad p - rho g, particles then rho g in the place of grad p.
-  bool gas_takes_all;
+  /// Whether gas and particles share the pressure gradient. If not, all of grad p - rho g acts on
+  /// the gas, and particles feel rho g in the place of grad p.
+  bool shares_pressure;
 };
 
 inline constexpr std::array model_forms{
-    ModelForm{"A", [](double) { return 1.0; }, &mixed_drag, false},
-    ModelForm{"B", [](double void_fraction) { return 1.0 / void_fraction; }, &mixed_total, true},
+    ModelForm{"A", [](double) { return 1.0; }, &mixed_drag, true},
+    ModelForm{"B", [](double void_fraction) { return 1.0 / void_fraction; }, &mixed_total, false},
 };
 
 }  // namespace cohesion::drag

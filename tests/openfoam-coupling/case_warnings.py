@@ -118,6 +118,14 @@ class CaseWarnings(CoupledTestCase):
         log = self.spheres("slow", control="deltaT 2e-3; endTime 8e-3; writeInterval 8e-3;", **fast)
         self.quiet("0.7 cells", log, said)
 
+    def test_growth_in_a_fixed_bed(self):
+        """The gas step is 315 times m/b with the factor 1e18, a third of it with 1e15."""
+        said = "are held, as in a packing, its velocity would grow by a factor of"
+        log = self.spheres("free", settings="response free; dragFactor 1e18;")
+        self.warned("response free", log, said, "'response held;'", "couplingProperties")
+        self.quiet("response held", self.spheres("explicit", settings="response held; dragFactor 1e18;"), said)
+        self.quiet("short steps", self.spheres("short", settings="response free; dragFactor 1e15;"), said)
+
     def edited(self, name, *edits, periodic=False, control="endTime 1e-4;"):
         """The log of a step of the column with texts of its files replaced: (file, old, new)."""
         case = self.column(name)

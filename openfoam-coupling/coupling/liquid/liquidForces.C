@@ -102,7 +102,7 @@ void Foam::liquidForces::set
     if (lift_.coefficient)
     {
         const liquid::ShearedFlow flow
-            {mag(vorticity_[i]), sphere.slip, 2*sphere.radius, sphere.rho, drag.viscosity()};
+            {mag(vorticity_[i]), sphere.slip, 2*sphere.radius, sphere.rho, drag.mu()};
         const scalar coefficient = liftCoefficient_ ? *liftCoefficient_ : lift_.coefficient(flow);
         for (direction d = 0; d < 3; ++d)
         {

@@ -7,11 +7,22 @@
 #include <sstream>
 
 
-Foam::dragValidity::dragValidity(const cohesion::drag::Closure& closure)
+Foam::dragValidity::dragValidity(const exchangeModel& model)
 :
-    stepCriterion(true, 0),
-    closure_(closure)
+    particleCriterion(true, 0),
+    closure_(model.closure)
 {}
+
+
+void Foam::dragValidity::add(const particleInGas& particle)
+{
+    ++evaluations_;
+    ++evaluationsOfStep_;
+    if (!closure_.validity.contains(particle.voidFraction, particle.reynolds))
+    {
+        countOutside(particle.voidFraction, particle.reynolds);
+    }
+}
 
 
 void Foam::dragValidity::countOutside(const scalar voidFraction, const scalar reynolds)
@@ -53,7 +64,8 @@ void Foam::dragValidity::warn(const scalar, const scalar)
 
 void Foam::dragValidity::clear()
 {
-    stepCriterion::clear();
+    particleCriterion::clear();
+    evaluationsOfStep_ = 0;
     lowestVoidFraction_ = GREAT;
     highestVoidFraction_ = -GREAT;
     highestReynolds_ = 0;

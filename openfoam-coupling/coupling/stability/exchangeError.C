@@ -9,20 +9,20 @@
 using namespace cohesion;
 
 
-Foam::exchangeError::exchangeError(const bool free)
+Foam::exchangeError::exchangeError(const exchangeModel& model)
 :
-    stepCriterion(true, drag::exchange_error_limit),
-    free_(free)
+    particleCriterion(true, drag::exchange_error_limit),
+    free_(model.response.free)
 {}
 
 
-void Foam::exchangeError::add(const scalar step, const scalar loading)
+void Foam::exchangeError::add(const particleInGas& particle)
 {
-    const scalar error = drag::late_exchange_error(step, loading, free_);
+    const scalar error = drag::late_exchange_error(particle.exchangeStep, particle.loading, free_);
     if (error > worst_)
     {
         worst_ = error;
-        step_ = step;
+        step_ = particle.exchangeStep;
     }
 }
 

@@ -6,15 +6,15 @@
 using namespace cohesion;
 
 
-Foam::pressureWaves::pressureWaves(const bool free, const bool felt)
+Foam::pressureWaves::pressureWaves(const exchangeModel& model)
 :
-    stepCriterion(true, drag::pressure_grows),
-    free_(free),
-    felt_(felt)
+    particleCriterion(true, drag::pressure_grows),
+    free_(model.response.free),
+    felt_(model.form.shares_pressure)
 {}
 
 
-void Foam::pressureWaves::setEngineSteps(const label engineSteps)
+void Foam::pressureWaves::startStep(const label engineSteps)
 {
     if (!limits_ || limits_->engine_steps() != engineSteps)
     {
@@ -23,14 +23,15 @@ void Foam::pressureWaves::setEngineSteps(const label engineSteps)
 }
 
 
-void Foam::pressureWaves::add(const scalar step, const scalar voidFraction, const vector& position)
+void Foam::pressureWaves::add(const particleInGas& particle)
 {
-    const scalar longest = limits_->longest(voidFraction);
+    const scalar step = particle.exchangeStep;
+    const scalar longest = limits_->longest(particle.voidFraction);
     if (step <= longest)
     {
         return;
     }
-    drag::PressureStep wave{step, voidFraction, limits_->engine_steps(), free_, felt_};
+    drag::PressureStep wave{step, particle.voidFraction, limits_->engine_steps(), free_, felt_};
     const scalar growth = drag::pressure_growth(wave);
     if (!(growth > limit()))
     {
@@ -42,8 +43,8 @@ void Foam::pressureWaves::add(const scalar step, const scalar voidFraction, cons
     if (growth > worst_)
     {
         worst_ = growth;
-        position_ = position;
-        voidFraction_ = voidFraction;
+        position_ = particle.position;
+        voidFraction_ = particle.voidFraction;
         step_ = step;
     }
 }
@@ -70,7 +71,7 @@ void Foam::pressureWaves::warn(const scalar largest, const scalar dt)
 
 void Foam::pressureWaves::clear()
 {
-    stepCriterion::clear();
+    particleCriterion::clear();
     stableShare_ = 1;
     growInFormB_ = false;
 }

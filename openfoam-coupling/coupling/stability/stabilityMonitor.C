@@ -3,33 +3,53 @@
 
 #include "Pstream.H"
 
-#include "drag/exchange_error.h"
-#include "sphere.h"
-
 #include "coupling/fromFirstRank.H"
+
+#include "dragValidity.H"
+#include "exchangeError.H"
+#include "fixedBedGrowth.H"
+#include "pressureWaves.H"
 
 #include <algorithm>
 
-using namespace cohesion;
+namespace
+{
+
+template<class... Criteria>
+std::vector<std::unique_ptr<Foam::particleCriterion>> makeEach(const Foam::exchangeModel& model)
+{
+    std::vector<std::unique_ptr<Foam::particleCriterion>> all;
+    (all.push_back(std::make_unique<Criteria>(model)), ...);
+    return all;
+}
+
+
+//- The criteria of particles, in the order in which they warn
+std::vector<std::unique_ptr<Foam::particleCriterion>> makeCriteria(const Foam::exchangeModel& model)
+{
+    return makeEach
+    <
+        Foam::fixedBedGrowth,
+        Foam::pressureWaves,
+        Foam::exchangeError,
+        Foam::dragValidity
+    >(model);
+}
+
+} // End anonymous namespace
 
 
 Foam::stabilityMonitor::stabilityMonitor
 (
     const fvMesh& mesh,
     const gasDensity& density,
-    const drag::Closure& closure,
-    const bool free,
-    const bool felt,
+    const exchangeModel& model,
     const scalar addedMass
 )
 :
     mesh_(mesh),
-    validity_(closure),
-    heldGrowth_(free),
-    pressureWaves_(free, felt),
-    exchangeError_(free),
-    viscousWaves_(mesh, density, felt, addedMass),
-    ofParticles_{&heldGrowth_, &pressureWaves_, &exchangeError_, &validity_}
+    ofParticles_(makeCriteria(model)),
+    viscousWaves_(mesh, density, model.form.shares_pressure, addedMass)
 {}
 
 
@@ -37,45 +57,26 @@ void Foam::stabilityMonitor::startStep(const label engineSteps)
 {
     engineSteps_ = engineSteps;
     dt_ = mesh_.time().deltaTValue();
-    judgesExchange_ = heldGrowth_.due() || pressureWaves_.due() || exchangeError_.due();
-    pressureWaves_.setEngineSteps(engineSteps);
-}
-
-
-void Foam::stabilityMonitor::addExchange(const particleInGas& particle)
-{
-    const scalar step = drag::exchange_step(particle.coefficient, particle.inertia, dt_);
-    const scalar loading = drag::mass_loading
-    (
-        particle.voidFraction,
-        particle.mass,
-        sphere_volume(particle.radius),
-        particle.rho
-    );
-    if (exchangeError_.due())
+    adding_.clear();
+    for (const auto& criterion : ofParticles_)
     {
-        exchangeError_.add(step, loading);
-    }
-    if (heldGrowth_.due())
-    {
-        heldGrowth_.add(step, loading);
-    }
-    if (pressureWaves_.due())
-    {
-        pressureWaves_.add(step, particle.voidFraction, particle.position);
+        criterion->startStep(engineSteps);
+        if (criterion->addsParticles())
+        {
+            adding_.push_back(criterion.get());
+        }
     }
 }
 
 
-void Foam::stabilityMonitor::endStep(const label n)
+void Foam::stabilityMonitor::endStep()
 {
-    validity_.addEvaluations(n);
-    const auto isDue = [](const stepCriterion* criterion) { return criterion->due(); };
+    const auto isDue = [](const auto& criterion) { return criterion->due(); };
     if (std::any_of(ofParticles_.begin(), ofParticles_.end(), isDue))
     {
         warn();
     }
-    for (stepCriterion* criterion : ofParticles_)
+    for (const auto& criterion : ofParticles_)
     {
         criterion->clear();
     }
@@ -94,10 +95,19 @@ void Foam::stabilityMonitor::warn()
     fromFirstRank(largest);
     forAll(largest, k)
     {
-        stepCriterion& criterion = *ofParticles_[k];
+        particleCriterion& criterion = *ofParticles_[k];
         if (criterion.due() && largest[k] > criterion.limit())
         {
             criterion.warn(largest[k], dt_);
         }
+    }
+}
+
+
+void Foam::stabilityMonitor::report() const
+{
+    for (const auto& criterion : ofParticles_)
+    {
+        criterion->report();
     }
 }

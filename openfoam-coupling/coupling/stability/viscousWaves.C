@@ -73,9 +73,9 @@ Foam::viscousWaves::viscousWaves
     const scalar addedMass
 )
 :
+    stepCriterion(applies),
     mesh_(mesh),
     density_(density),
-    applies_(applies),
     addedMass_(addedMass),
     largest_(applies ? largestWaveNumbers(mesh) : scalarField())
 {}

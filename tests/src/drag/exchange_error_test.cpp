@@ -72,11 +72,11 @@ TEST(ExchangeError, GasBetweenHeldParticlesGrowsAsItDoesStepByStep) {
         u = (u - deferred) / (1.0 + loading * g);
         deferred = loading * (x - g) * u;
       }
-      EXPECT_NEAR(held_growth(x, loading), std::abs(u / before), 1e-12 * std::abs(u / before));
+      EXPECT_NEAR(fixed_bed_growth(x, loading), std::abs(u / before), 1e-12 * std::abs(u / before));
     }
   // Stable with light or slow particles, R (x - 2 g) < 2
-  EXPECT_LT(held_growth(3.0, 1.0), held_growth_limit);
-  EXPECT_GT(held_growth(4.0, 1.0), held_growth_limit);
+  EXPECT_LT(fixed_bed_growth(3.0, 1.0), fixed_bed_growth_limit);
+  EXPECT_GT(fixed_bed_growth(4.0, 1.0), fixed_bed_growth_limit);
 }
 
 TEST(ExchangeError, StepAndLoadingOfABedOfPowder) {

@@ -15,10 +15,10 @@ struct Forces {
 
 /// Per volume of gas and particles at rest, one direction: n particles of V_p n = 1 - eps.
 Forces at_rest(const ModelForm& form, double eps, double drag, double grad_p, double rho_g) {
-  const double felt = form.gas_takes_all ? rho_g : grad_p;
+  const double felt = form.shares_pressure ? grad_p : rho_g;
   const double on_particle = drag * form.drag_over_a(eps) - (1.0 - eps) * felt;
   const double on_gas =
-      (form.gas_takes_all ? 1.0 : eps) * (rho_g - grad_p) - drag * form.drag_over_a(eps);
+      (form.shares_pressure ? eps : 1.0) * (rho_g - grad_p) - drag * form.drag_over_a(eps);
   return {on_gas, on_particle};
 }
 
@@ -52,8 +52,8 @@ TEST(ModelForm, OfASingleSphereIsOne) {
 }
 
 TEST(ModelForm, IsFoundByName) {
-  EXPECT_FALSE(find_by_name(model_forms, "form", "A").gas_takes_all);
-  EXPECT_TRUE(find_by_name(model_forms, "form", "B").gas_takes_all);
+  EXPECT_TRUE(find_by_name(model_forms, "form", "A").shares_pressure);
+  EXPECT_FALSE(find_by_name(model_forms, "form", "B").shares_pressure);
 }
 
 }  // namespace cohesion::drag
