@@ -3,7 +3,7 @@
 """Energy of a gas of 1000 elastic spheres over 100 collisions per particle: its drift against the
 time step, the scheme and the run time.
 
-  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating | --seeds N] [--csv FILE]
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating | --seeds N]
   energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN --damped [--law linear|hertz|dmt|jkr] [--gases N]
 
 Scheme exact is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
@@ -23,7 +23,7 @@ With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its s
 """
 import numpy
 
-from cohesion_tests import csv_table, lammps as engine, measuring_program
+from cohesion_tests import lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import cohesive_gas as gas
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory import hertzian_laws
@@ -116,7 +116,7 @@ def main():
         ("--damped", {"action": "store_true", "help": "what damped gases keep too much"}),
         ("--law", {"choices": hertzian_laws.LAWS, "default": "linear", "help": "of damped gases"}),
         ("--gases", {"type": int, "default": 16, "help": "of --damped"}),
-        ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}), csv_table.OPTION)
+        ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}))
     if words.heating:
         heating(gas, engine)
         return
@@ -143,8 +143,6 @@ def main():
                 levels.append(numpy.sqrt((drift(table) ** 2).mean()))
                 progress.add(duration / gas.CONTACT_TIME * division)
                 print("\r" + row("exact", division, drift(table), seconds), flush=True)
-                csv_table.enter(words.csv, csv_table.drift("LAMMPS", "exact", (phi, constant, speed), division),
-                                value=f"{end_of(drift(table)):.1e}")
                 equal = seconds / per_step / (duration / gas.CONTACT_TIME)
                 try:
                     table, seconds = gas.follow(folder, equal, duration, SAMPLES,

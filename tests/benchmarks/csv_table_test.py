@@ -83,10 +83,6 @@ class Programs(unittest.TestCase):
                 self.expect("contact_energies", (csv_table.energy(engine, law, gas, contact, division, 20.0)
                                                  for gas in hertzian_laws.gases(law, 0.5)
                                                  for contact in hertzian_laws.CONTACTS for division in (10, 20)))
-        gas = program("liggghts-styles/gas-energy")
-        for engine, scheme in (("LAMMPS", "exact"), ("LIGGGHTS", "exact"), ("LIGGGHTS", "sampled")):
-            self.expect("contact_energies", (csv_table.drift(engine, scheme, case, division)
-                                             for case in gas.CASES for division in gas.DIVISIONS))
 
     def test_costs(self):
         cost = program("lammps-package/cost-per-step")

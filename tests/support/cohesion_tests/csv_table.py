@@ -36,11 +36,3 @@ def energy(engine, law, gas, contact, division, collisions):
     return {"quantity": quantity, "engine": engine, "scheme": "exact", "law": law, "solid fraction": f"{fraction:g}",
             "A [J]": f"{constant:g}", "speed [m/s]": "" if law == "linear" else f"{speed:g}",
             "restitution": f"{restitution:g}", "friction": f"{friction:g}", "step": f"t_c/{division:g}"}
-
-
-def drift(engine, scheme, gas, division):
-    """Row of contact_energies.csv: change of the energy of an elastic gas of linear springs."""
-    fraction, constant, speed = gas
-    return {"quantity": "drift of the energy", "engine": engine, "scheme": scheme, "law": "linear",
-            "solid fraction": f"{fraction:g}", "A [J]": f"{constant:g}", "speed [m/s]": f"{speed:g}", "restitution": "1",
-            "step": f"t_c/{division:g}"}

@@ -74,13 +74,6 @@ def energy(frame, side, pair):
     return kinetic_energy(frame) + spring_energy(near) + attraction.sum() + sum(map(pair.adhesion_energy, between))
 
 
-def hertzian_energy(frame, side, two):
-    """As energy(), two: theory.hertz_contact.HertzPair."""
-    near = gaps(frame, side, hertz_contact.CUT)
-    springs = 0.4 * two.k * (numpy.maximum(-near, 0.0)**2.5).sum()
-    return kinetic_energy(frame) + springs + sum(map(two.energy, near)) * (two.hamaker > 0)
-
-
 def frictional(restitution, friction):
     """As elastic(), with friction: K_t = 2/7 K and half of the normal damping, as in lammps_scenes.cohesive_gas."""
     values = {"kt": 2 / 7 * STIFFNESS, "gammat_abs": 0.5 * damping(restitution), "coefficientFriction": friction}
