@@ -161,7 +161,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                               inverse * near.delta[2]};
     if (!attract(near, r, normal, on_i, on_j)) return;
     near.has_force_update = true;
-    if (tally_) write_attraction(near, normal, r - near.radsum, on_i);
+    if (tally_)
+      tally_->add_sampled(near, on_i,
+                          reads_energies() ? adhesion_energy(near, r - near.radsum) : 0.0);
   }
 
   /// A contact of scheme exact: in the place of what the engine's normal model made of it. Friction
@@ -192,18 +194,14 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     cohesion::contact_solver::ContactStep step;
     if (!carries(near) || !exact_->advance(near, r, normal, step, new_energies(), reads_energies()))
       return;
-    if (tally_) {
-      cohesion::contact::ContactSample contact;
-      contact.normal = cohesion::vector(normal);
-      contact.attraction = -step.force;
-      tally_->add_exact(near, contact, energies_);
+    if (step.force != 0.0) {
+      for (int d = 0; d < 3; d++) {
+        on_i.delta_F[d] = step.force * normal[d];
+        on_j.delta_F[d] = -step.force * normal[d];
+      }
+      near.has_force_update = true;
     }
-    if (step.force == 0.0) return;
-    for (int d = 0; d < 3; d++) {
-      on_i.delta_F[d] = step.force * normal[d];
-      on_j.delta_F[d] = -step.force * normal[d];
-    }
-    near.has_force_update = true;
+    if (tally_) tally_->add_exact(near, on_i, energies_);
   }
 
   /// Without a keyword the scheme is exact where the contact model allows it, which stays for later
@@ -306,15 +304,6 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       tally_->add_sampled(
           contact, on_i, on_j, normal_->exponent(), other_models_,
           attracts && reads_energies() ? adhesion_energy(contact, -contact.deltan) : 0);
-  }
-
-  [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
-                                          double gap, const ForceData& on_i) {
-    cohesion::contact::ContactSample contact;
-    contact.normal = cohesion::vector(normal);
-    contact.overlap = -gap;
-    contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    tally_->add_sampled(near, contact, reads_energies() ? adhesion_energy(near, gap) : 0.0);
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.

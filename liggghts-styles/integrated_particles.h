@@ -35,8 +35,10 @@ class IntegratedParticles {
   bool moves(int mask) const {
     return (mask & mobile_) && !(mask & frozen_) && !(any_held_ && held_.hold(mask));
   }
+  /// Whether a fix turns a particle that moves.
+  bool turns(int mask) const { return mask & turned_; }
   /// Whether a particle moves and nothing turns it.
-  bool is_not_turned(int mask) const { return moves(mask) && !(mask & turned_); }
+  bool is_not_turned(int mask) const { return moves(mask) && !turns(mask); }
 
   /// Those that forces which fixes set hold, or lead.
   const LAMMPS_NS::HeldGroups& held() const { return held_; }

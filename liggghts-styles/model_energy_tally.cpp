@@ -22,7 +22,7 @@ namespace {
 
 [[gnu::always_inline]] inline ContactSample contact_of(
     const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
-    const ContactModels::ForceData& on_j, double exponent, const OtherModels& models) {
+    double exponent, const OtherModels& models) {
   ContactSample c;
   const Vector3 force = vector(on_i.delta_F);
   c.normal = vector(d.en);
@@ -30,26 +30,21 @@ namespace {
   c.stiffness = d.kn;
   c.exponent = exponent;
   c.repulsion = d.Fn;
-  c.attraction = d.Fn - dot(force, c.normal);
   c.tangential = force - dot(force, c.normal) * c.normal;
   c.slip = {d.vtr1, d.vtr2, d.vtr3};
-  c.lever_i = d.cri;
-  c.lever_j = d.is_wall ? 0.0 : d.crj;
   if (models.displacement >= 0) {
     c.displacement = vector(d.contact_history + models.displacement);
     c.tangential_stiffness = d.kt;
   }
   c.tangential_damping = d.gammat;
-  c.rolls = models.rolls;
-  if (!c.rolls) return c;
-  const Vector3 turn = cross(c.normal, c.tangential);
-  c.rolling_i = vector(on_i.delta_torque) + c.lever_i * turn;
-  if (!d.is_wall) c.rolling_j = vector(on_j.delta_torque) + c.lever_j * turn;
-  if (models.rolling >= 0)
-    c.rolling_energy = cohesion::contact::rolling_spring_energy(
-        vector(d.contact_history + models.rolling), d.kt,
-        d.is_wall ? d.radi : cohesion::reduced_radius(d.radi, d.radj));
   return c;
+}
+
+double rolling_energy(const ContactModels::SurfacesIntersectData& d, const OtherModels& models) {
+  if (models.rolling < 0) return 0.0;
+  return cohesion::contact::rolling_spring_energy(
+      vector(d.contact_history + models.rolling), d.kt,
+      d.is_wall ? d.radi : cohesion::reduced_radius(d.radi, d.radj));
 }
 
 }  // namespace
@@ -57,115 +52,124 @@ namespace {
 /// A pair that another rank, or an image of itself, has as well.
 [[gnu::always_inline]] inline double ModelEnergyTally::owned_fraction(
     const ContactModels::SurfacesCloseData& d) const {
-  return !d.is_wall && d.j >= lmp_->atom->nlocal ? 0.5 : 1.0;
+  return !d.is_wall && d.j >= particles_ ? 0.5 : 1.0;
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add_forces(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
-  OnParticle& on_i = on_[d.i];
-  OnParticle* const on_j = is_own_pair(d) ? &on_[d.j] : nullptr;
-  on_i.friction += c.tangential;
-  if (on_j) on_j->friction -= c.tangential;
-  const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
-  on_i.dashpot += dashpot;
-  on_i.dashpot_torque -= c.lever_i * turn;
-  if (on_j) {
-    on_j->dashpot -= dashpot;
-    on_j->dashpot_torque -= c.lever_j * turn;
+[[gnu::always_inline]] inline void ModelEnergyTally::add_friction(
+    const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
+    const ContactModels::ForceData& on_j, const ContactSample& c, const OtherModels& models,
+    const Vector3& normal_dashpot) {
+  OnParticle& i = on_[d.i];
+  OnParticle* const j = is_own_pair(d) ? &on_[d.j] : nullptr;
+  i.friction += c.tangential;
+  if (j) j->friction -= c.tangential;
+  const bool sticks = c.sticks();
+  if (sticks) {
+    const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
+    i.dashpot += dashpot;
+    i.dashpot_torque -= d.cri * turn;
+    if (j) {
+      j->dashpot -= dashpot;
+      j->dashpot_torque -= d.crj * turn;
+    }
   }
-  if (c.rolls) add_rolling(d, c);
-  if (d.is_wall) add_wall(d, c, dashpot);
+  if (models.rolls) add_rolling(d, on_i, on_j, c.normal, c.tangential);
+  if (d.is_wall)
+    add_wall(d, on_i, c.tangential, sticks ? c.tangential_dashpot() : Vector3{}, normal_dashpot);
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add_rolling(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
+/// The torques but those of the tangential force.
+[[gnu::noinline]] void ModelEnergyTally::add_rolling(const ContactModels::SurfacesIntersectData& d,
+                                                     const ContactModels::ForceData& on_i,
+                                                     const ContactModels::ForceData& on_j,
+                                                     Vector3 normal, Vector3 tangential) {
   rolling_torque_.resize(on_.size());
-  rolling_torque_[d.i] += c.rolling_i;
-  if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
+  const Vector3 turn = cross(normal, tangential);
+  rolling_torque_[d.i] += vector(on_i.delta_torque) + d.cri * turn;
+  if (is_own_pair(d)) rolling_torque_[d.j] += vector(on_j.delta_torque) + d.crj * turn;
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add_normal_dashpot(
-    const ContactModels::SurfacesCloseData& d, const Vector3& dashpot) {
-  if (normal_dashpot_force_.empty()) normal_dashpot_force_.resize(on_.size());
-  normal_dashpot_force_[d.i] += dashpot;
-  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
-  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_wall(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c, const Vector3& dashpot) {
-  const Vector3 force = c.force_on_i(), v = vector(d.v_j);
-  on_[d.i].force += force;
-  on_[d.i].torque += c.rolling_i - c.lever_i * cross(c.normal, c.tangential);
-  wall_all_ += dot(force, v);
-  wall_friction_ += dot(c.tangential, v);
-  wall_tangential_dashpot_ += dot(dashpot, v);
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_of_sampled(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c, double adhesion) {
-  if (!d.computeflag) return;  // a force evaluation without a step
-  if (is_read_) {
-    const double fraction = owned_fraction(d);
-    sampled_.spring += fraction * c.spring_energy();
-    sampled_.adhesion += fraction * adhesion;
-    sums_.store(fraction, {0.0, c.tangential_spring_energy(), c.rolling_energy, 0.0});
+[[gnu::noinline]] void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
+                                                  const ContactModels::ForceData& on_i,
+                                                  Vector3 friction, Vector3 tangential_dashpot,
+                                                  Vector3 normal_dashpot) {
+  const Vector3 force = vector(on_i.delta_F), v = vector(d.v_j);
+  if (others_act_) {
+    of_contacts_[d.i].force += force;
+    of_contacts_[d.i].torque += vector(on_i.delta_torque);
   }
-  add_normal_dashpot(d, c.normal_dashpot());
-  add_forces(d, c);
+  wall_all_ += dot(force, v);
+  wall_friction_ += dot(friction, v);
+  wall_tangential_dashpot_ += dot(tangential_dashpot, v);
+  wall_normal_dashpot_ += dot(normal_dashpot, v);
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
-                                   const ContactSample& c, double adhesion) {
-  add_of_sampled(d, c, adhesion);
+                                   const ContactModels::ForceData& on_i, double adhesion) {
+  if (!d.computeflag) return;  // a force evaluation without a step
+  if (is_read_) sampled_.adhesion += owned_fraction(d) * adhesion;
+  if (d.is_wall) add_wall(d, on_i);
+}
+
+void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d,
+                                 const ContactModels::ForceData& on_i,
+                                 const ContactEnergies& of_normal) {
+  if (!d.computeflag) return;
+  const double fraction = owned_fraction(d);
+  if (is_read_) sums_.store(fraction, of_normal.stored);
+  sums_.lose_normal(fraction, of_normal);
+  if (d.is_wall) add_wall(d, on_i);
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d,
                                    const ContactModels::ForceData& on_i,
                                    const ContactModels::ForceData& on_j, double exponent,
                                    const OtherModels& models, double adhesion) {
-  add_of_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_of_exact(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-    const ContactEnergies& of_normal) {
   if (!d.computeflag) return;
-  const double fraction = owned_fraction(d);
+  const ContactSample c = contact_of(d, on_i, exponent, models);
   if (is_read_) {
-    StoredEnergies stored = of_normal.stored;
-    stored.tangential_spring = c.tangential_spring_energy();
-    stored.rolling_spring = c.rolling_energy;
-    sums_.store(fraction, stored);
+    const double fraction = owned_fraction(d);
+    sampled_.spring += fraction * c.spring_energy();
+    sampled_.adhesion += fraction * adhesion;
+    sums_.store(fraction, {0.0, c.tangential_spring_energy(), rolling_energy(d, models), 0.0});
   }
-  sums_.lose_normal(fraction, of_normal);
-  add_forces(d, c);
-}
-
-void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-                                 const ContactEnergies& of_normal) {
-  add_of_exact(d, c, of_normal);
+  const Vector3 dashpot = c.normal_dashpot();
+  on_[d.i].normal_dashpot += dashpot;
+  if (is_own_pair(d)) on_[d.j].normal_dashpot -= dashpot;
+  add_friction(d, on_i, on_j, c, models, dashpot);
 }
 
 void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
                                  const ContactModels::ForceData& on_i,
                                  const ContactModels::ForceData& on_j, const OtherModels& models,
                                  const ContactEnergies& of_normal) {
-  add_of_exact(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
+  if (!d.computeflag) return;
+  const ContactSample c = contact_of(d, on_i, 1.0, models);
+  const double fraction = owned_fraction(d);
+  if (is_read_) {
+    StoredEnergies stored = of_normal.stored;
+    stored.tangential_spring = c.tangential_spring_energy();
+    stored.rolling_spring = rolling_energy(d, models);
+    sums_.store(fraction, stored);
+  }
+  sums_.lose_normal(fraction, of_normal);
+  add_friction(d, on_i, on_j, c, models, {});
 }
 
 void ModelEnergyTally::add_engine_forces(double factor) {
+  if (!others_act_) return;
   const Atom* const atom = lmp_->atom;
-  for (int i = 0; i < atom->nlocal; i++) {
-    on_[i].force += factor * vector(atom->f[i]);
-    on_[i].torque += factor * vector(atom->torque[i]);
+  for (int i = 0; i < particles_; i++) {
+    of_contacts_[i].force += factor * vector(atom->f[i]);
+    of_contacts_[i].torque += factor * vector(atom->torque[i]);
   }
 }
 
 void ModelEnergyTally::clear() {
-  on_.assign(lmp_->atom->nlocal, {});
+  particles_ = lmp_->atom->nlocal;
+  on_.assign(particles_, {});
+  if (others_act_) of_contacts_.assign(particles_, {});
   rolling_torque_.clear();
-  normal_dashpot_force_.clear();
   sampled_ = {};
   wall_all_ = wall_friction_ = wall_normal_dashpot_ = wall_tangential_dashpot_ = 0.0;
 }
@@ -177,8 +181,10 @@ void ModelEnergyTally::begin_step(bool is_read) {
   clear();
 }
 
-void ModelEnergyTally::begin_set_up() {
+void ModelEnergyTally::begin_set_up(bool others_act) {
   is_read_ = true;
+  others_act_ = others_act;
+  mobile_ = IntegratedParticles(lmp_);
   last_ = sums_.stored();
   sums_.begin_again();
   for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_})
@@ -186,65 +192,88 @@ void ModelEnergyTally::begin_set_up() {
   clear();
 }
 
-void ModelEnergyTally::end_step() { end(&Passage::whole, 0.5 * lmp_->update->dt, false); }
+void ModelEnergyTally::end_step() {
+  if (is_read_ || others_act_)
+    end(&Passage::whole, false);
+  else
+    end_without_others();
+  add_work_of_walls(0.5 * lmp_->update->dt);
+}
 
 void ModelEnergyTally::end_set_up(bool starts, bool known) {
   if (!starts && known) sums_.restore_normal(last_);
-  end(starts ? &Passage::start : &Passage::second_half, 0.0, starts);
+  end(starts ? &Passage::start : &Passage::second_half, starts);
+  add_work_of_walls(0.0);
   if (begun_) return;
   begun_ = true;
   add_so_far(-1.0, before_);
   before_[cohesion::energy_tally::SPRING] = 0.0;  // that is no loss
 }
 
-/// Adds the work of all forces. `before` [time]: how much of the step before the time level counts.
-template <class MakePassage>
-void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts) {
+/// Adds the work of friction and of dashpots on a particle, and that of all contacts on one that
+/// does not move or turn freely: it gives this to the others.
+[[gnu::always_inline]] inline void ModelEnergyTally::add_work_of_contacts(
+    int i, const ForcesAtLevel& forces, bool moves, bool turns, const Passage& passage) {
+  const OnParticle& on = on_[i];
+  sums_.friction.add(on.friction, forces.of_contacts_torque, passage);
+  tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
+  normal_dashpot_.add(on.normal_dashpot, {}, passage);
+  if (!rolling_torque_.empty()) rolling_.add({}, rolling_torque_[i], passage);
+  if (!moves)
+    sums_.external.add(-forces.of_contacts, -forces.of_contacts_torque, passage);
+  else if (!turns)
+    sums_.external.add({}, -forces.of_contacts_torque, passage);
+}
+
+/// A step without output, where only contacts and gravity act.
+void ModelEnergyTally::end_without_others() {
   const Atom* const atom = lmp_->atom;
-  const IntegratedParticles mobile(lmp_);
   const GravityOfFixes gravity(lmp_->modify);
   const double half = 0.5 * lmp_->update->dt;
-  const double factor = mobile.inertia_factor(lmp_->domain->dimension);
-  const auto forces_on = [&](int i, bool turns) {
-    const OnParticle& on = on_[i];
-    const Vector3 weight = atom->rmass[i] * gravity.on(atom->mask[i]);
-    const Vector3 torque = turns ? vector(atom->torque[i]) : on.torque;
-    return ForcesAtLevel{vector(atom->f[i]), on.force, weight, on.friction, torque, on.torque};
-  };
-  const auto add_work = [&](int i, bool moves, bool turns, const Passage& passage)
-                            __attribute__((always_inline)) {
-                              const OnParticle& on = on_[i];
-                              tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
-                              if (!rolling_torque_.empty())
-                                rolling_.add({}, rolling_torque_[i], passage);
-                              if (!normal_dashpot_force_.empty())
-                                normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
-                              if (moves) {
-                                sums_.end_step(forces_on(i, turns), passage);
-                                if (!turns) sums_.external.add({}, -on.torque, passage);
-                              } else {
-                                // What leads a particle gives to the others.
-                                sums_.friction.add(on.friction, on.torque, passage);
-                                sums_.external.add(-on.force, -on.torque, passage);
-                              }
-                            };
-  for (int i = 0; i < atom->nlocal; i++) {
+  for (int i = 0; i < particles_; i++) {
     const int mask = atom->mask[i];
-    const bool moves = mobile.moves(mask), turns = moves && !mobile.is_not_turned(mask);
-    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
-    if (!is_read_) {
-      add_work(i, moves, turns, Passage::without_output(velocity, spin, half));
-      continue;
-    }
+    const bool moves = mobile_.moves(mask), turns = mobile_.turns(mask);
+    const Vector3 weight = moves ? Vector3{} : atom->rmass[i] * gravity.on(mask);
+    const Vector3 torque = vector(atom->torque[i]);
+    add_work_of_contacts(i, {{}, vector(atom->f[i]) - weight, {}, {}, torque, torque}, moves, turns,
+                         Passage::without_output(vector(atom->v[i]), vector(atom->omega[i]), half));
+  }
+}
+
+/// Any other step, and the set-up.
+template <class MakePassage>
+void ModelEnergyTally::end(MakePassage make_passage, bool starts) {
+  const Atom* const atom = lmp_->atom;
+  const GravityOfFixes gravity(lmp_->modify);
+  const double half = 0.5 * lmp_->update->dt;
+  const double factor = mobile_.inertia_factor(lmp_->domain->dimension);
+  for (int i = 0; i < particles_; i++) {
+    const int mask = atom->mask[i];
+    const bool moves = mobile_.moves(mask), turns = moves && mobile_.turns(mask);
+    const Vector3 all = vector(atom->f[i]), weight = atom->rmass[i] * gravity.on(mask);
+    const ForceAndTorque of_contacts =
+        others_act_ ? of_contacts_[i] : ForceAndTorque{all - weight, vector(atom->torque[i])};
+    const Vector3 torque = turns ? vector(atom->torque[i]) : of_contacts.torque;
+    const ForcesAtLevel forces{all,    of_contacts.force, weight, on_[i].friction,
+                               torque, of_contacts.torque};
     const double inverse_mass = moves ? 1.0 / atom->rmass[i] : 0.0;
     const double inverse_inertia =
         turns ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
-    add_work(i, moves, turns,
-             make_passage(velocity, half * inverse_mass * vector(atom->f[i]), spin,
-                          half * inverse_inertia * vector(atom->torque[i]), half));
-    if (moves && !starts)
-      sums_.store_motion(forces_on(i, turns), inverse_mass, inverse_inertia, half);
+    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
+    const Passage passage =
+        is_read_ ? make_passage(velocity, half * inverse_mass * all, spin,
+                                half * inverse_inertia * vector(atom->torque[i]), half)
+                 : Passage::without_output(velocity, spin, half);
+    add_work_of_contacts(i, forces, moves, turns, passage);
+    if (moves && others_act_) sums_.add_external_work(forces, passage);
+    if (moves && is_read_ && !starts)
+      sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
+}
+
+/// `before` [time]: how much of the step before the time level counts.
+void ModelEnergyTally::add_work_of_walls(double before) {
+  const double half = 0.5 * lmp_->update->dt;
   const auto add = [&](WorkOfForces& work, double power) {
     work.add(before * power, half * power);
   };

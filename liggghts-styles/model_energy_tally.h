@@ -30,30 +30,29 @@ class ModelEnergyTally {
   /// Whether an output reads this time level. What contacts store is known only there.
   bool is_read() const { return is_read_; }
 
-  /// Adds a contact of which spring and dashpot are sampled, with the energy of its adhesion.
-  void add_sampled(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
-                   double adhesion);
-  /// Adds a contact with an energy account: what its normal motion stores and loses. The rest is of
-  /// friction and rolling friction.
-  void add_exact(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
-                 const cohesion::contact_solver::ContactEnergies& of_normal);
-
-  /// The same of contacts that touch, as the engine's models, those of this package included, have
-  /// computed them.
+  /// Adds a contact that touches, as the engine's models, those of this package included, have
+  /// computed it. Sampled: with the energy of its adhesion; exact: with what its normal motion
+  /// stores and loses.
   void add_sampled(const ContactModels::SurfacesIntersectData&,
                    const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
                    double exponent, const OtherModels&, double adhesion);
   void add_exact(const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
                  const ContactModels::ForceData& on_j, const OtherModels&,
                  const cohesion::contact_solver::ContactEnergies& of_normal);
+  /// The same across a gap.
+  void add_sampled(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
+                   double adhesion);
+  void add_exact(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
+                 const cohesion::contact_solver::ContactEnergies& of_normal);
 
   /// Before and after the engine has computed all pairs, which add their forces in between.
   void begin_pairs() { add_engine_forces(-1.0); }
   void end_pairs() { add_engine_forces(1.0); }
 
-  /// Before the forces of a step, or of the set-up of a run, which is always read.
+  /// Before the forces of a step, or of the set-up of a run, which is always read. others_act:
+  /// whether anything but contacts and gravity exerts forces in this run.
   void begin_step(bool is_read);
-  void begin_set_up();
+  void begin_set_up(bool others_act);
   void end_step();
   /// starts: energy accounts begin anew; known: the tally has the energies of the time level from
   /// the last step, of contacts that repeat their force.
@@ -67,40 +66,49 @@ class ModelEnergyTally {
   void restore_totals(const double* values);
 
  private:
-  /// What contacts do to a particle.
+  /// What contacts do to a particle, for the work that depends on the velocity after the step.
   struct OnParticle {
-    cohesion::Vector3 force, torque;            // all of it
     cohesion::Vector3 friction;                 // of the tangential spring, dashpot and slider
     cohesion::Vector3 dashpot, dashpot_torque;  // of the tangential dashpot
+    cohesion::Vector3 normal_dashpot;           // of sampled contacts
   };
+  struct ForceAndTorque {
+    cohesion::Vector3 force, torque;
+  };
+  using Vector3 = cohesion::Vector3;
   using WorkOfForces = cohesion::contact_solver::WorkOfForces;
 
   void clear();
-  void add_of_sampled(const ContactModels::SurfacesCloseData&,
-                      const cohesion::contact::ContactSample&, double adhesion);
-  void add_of_exact(const ContactModels::SurfacesCloseData&,
-                    const cohesion::contact::ContactSample&,
-                    const cohesion::contact_solver::ContactEnergies& of_normal);
-  void add_forces(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&);
-  void add_rolling(const ContactModels::SurfacesCloseData&,
-                   const cohesion::contact::ContactSample&);
-  void add_normal_dashpot(const ContactModels::SurfacesCloseData&,
-                          const cohesion::Vector3& dashpot);
-  void add_wall(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
-                const cohesion::Vector3& dashpot);
+  void add_friction(const ContactModels::SurfacesIntersectData&,
+                    const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
+                    const cohesion::contact::ContactSample&, const OtherModels&,
+                    const Vector3& normal_dashpot);
+  // Vectors by value: what has an address does not stay in registers.
+  void add_rolling(const ContactModels::SurfacesIntersectData&,
+                   const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
+                   Vector3 normal, Vector3 tangential);
+  void add_wall(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
+                Vector3 friction = {}, Vector3 tangential_dashpot = {},
+                Vector3 normal_dashpot = {});
   void add_engine_forces(double factor);
   bool is_own_pair(const ContactModels::SurfacesCloseData& d) const {
-    return !d.is_wall && d.j < lmp_->atom->nlocal;
+    return !d.is_wall && d.j < particles_;
   }
   double owned_fraction(const ContactModels::SurfacesCloseData&) const;
+  void add_work_of_contacts(int i, const cohesion::contact_solver::ForcesAtLevel&, bool moves,
+                            bool turns, const cohesion::contact_solver::Passage&);
+  void end_without_others();
   template <class MakePassage>
-  void end(MakePassage make_passage, double before, bool starts);
+  void end(MakePassage make_passage, bool starts);
+  void add_work_of_walls(double before);
   void add_so_far(double factor, double* entries) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
+  IntegratedParticles mobile_{lmp_};
+  int particles_ = 0;  // of this process
   std::vector<OnParticle> on_;
-  std::vector<cohesion::Vector3> rolling_torque_;        // against rolling, on each particle
-  std::vector<cohesion::Vector3> normal_dashpot_force_;  // of sampled contacts, on each particle
+  std::vector<Vector3> rolling_torque_;      // against rolling, on each particle
+  std::vector<ForceAndTorque> of_contacts_;  // on each particle; unused where no others act
   cohesion::contact_solver::EnergySums sums_;
   // Of normal springs and adhesion of sampled contacts; as a set-up begins, of others.
   cohesion::contact_solver::StoredEnergies sampled_{}, last_{};
@@ -109,6 +117,7 @@ class ModelEnergyTally {
   double wall_all_ = 0.0, wall_friction_ = 0.0, wall_normal_dashpot_ = 0.0,
          wall_tangential_dashpot_ = 0.0;
   bool is_read_ = true;
+  bool others_act_ = true;
   bool begun_ = false;
   double before_[cohesion::energy_tally::ENTRIES] = {};  // what there was when the tally began
 };
