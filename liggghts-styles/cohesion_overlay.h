@@ -282,6 +282,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (slides) other_models_.displacement = others_history_;
     if (has("rolling_friction", "epsd2"))
       other_models_.rolling = others_history_ + (slides ? 3 : 0);
+    other_models_.exponent = normal_->exponent();
     other_models_.rolls = !has("rolling_friction", "off");
   }
 
@@ -297,13 +298,18 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
+    if (!contact.computeflag) return;  // a force evaluation without a step
+    if (tally_->is_read()) write_stored(contact);
+    tally_->add(contact, on_i, on_j, other_models_,
+                exact_ && carries(contact) ? &energies_ : nullptr);
+  }
+  [[gnu::noinline]] void write_stored(const SurfacesIntersectData& contact) {
     const bool attracts = carries(contact);
     if (exact_ && attracts)
-      tally_->add_exact(contact, on_i, on_j, other_models_, energies_);
+      tally_->store(contact, other_models_, energies_.stored);
     else
-      tally_->add_sampled(
-          contact, on_i, on_j, normal_->exponent(), other_models_,
-          attracts && reads_energies() ? adhesion_energy(contact, -contact.deltan) : 0);
+      tally_->store_sampled(contact, other_models_,
+                            attracts ? adhesion_energy(contact, -contact.deltan) : 0.0);
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include "atom.h"
+#include "contact/sampled_energies.h"
 #include "domain.h"
 #include "gravity_of_fixes.h"
 #include "sphere.h"
@@ -16,29 +17,8 @@ using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
 using namespace cohesion::contact_solver;
-using cohesion::contact::ContactSample;
 
 namespace {
-
-[[gnu::always_inline]] inline ContactSample contact_of(
-    const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
-    double exponent, const OtherModels& models) {
-  ContactSample c;
-  const Vector3 force = vector(on_i.delta_F);
-  c.normal = vector(d.en);
-  c.overlap = d.deltan;
-  c.stiffness = d.kn;
-  c.exponent = exponent;
-  c.repulsion = d.Fn;
-  c.tangential = force - dot(force, c.normal) * c.normal;
-  c.slip = {d.vtr1, d.vtr2, d.vtr3};
-  if (models.displacement >= 0) {
-    c.displacement = vector(d.contact_history + models.displacement);
-    c.tangential_stiffness = d.kt;
-  }
-  c.tangential_damping = d.gammat;
-  return c;
-}
 
 double rolling_energy(const ContactModels::SurfacesIntersectData& d, const OtherModels& models) {
   if (models.rolling < 0) return 0.0;
@@ -55,53 +35,75 @@ double rolling_energy(const ContactModels::SurfacesIntersectData& d, const Other
   return !d.is_wall && d.j >= particles_ ? 0.5 : 1.0;
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add_friction(
-    const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
-    const ContactModels::ForceData& on_j, const ContactSample& c, const OtherModels& models,
-    const Vector3& normal_dashpot) {
-  OnParticle& i = on_[d.i];
-  OnParticle* const j = is_own_pair(d) ? &on_[d.j] : nullptr;
-  i.friction += c.tangential;
-  if (j) j->friction -= c.tangential;
-  const bool sticks = c.sticks();
-  if (sticks) {
-    const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
-    i.dashpot += dashpot;
-    i.dashpot_torque -= d.cri * turn;
-    if (j) {
-      j->dashpot -= dashpot;
-      j->dashpot_torque -= d.crj * turn;
-    }
-  }
-  if (models.rolls) add_rolling(d, on_i, on_j, c.normal, c.tangential);
-  if (d.is_wall)
-    add_wall(d, on_i, c.tangential, sticks ? c.tangential_dashpot() : Vector3{}, normal_dashpot);
+void ModelEnergyTally::store(const ContactModels::SurfacesIntersectData& d,
+                             const OtherModels& models, StoredEnergies stored) {
+  if (models.displacement >= 0)
+    stored.tangential_spring = cohesion::contact::tangential_spring_energy(
+        vector(d.contact_history + models.displacement), d.kt);
+  stored.rolling_spring = rolling_energy(d, models);
+  sums_.store(owned_fraction(d), stored);
+}
+
+void ModelEnergyTally::store_sampled(const ContactModels::SurfacesIntersectData& d,
+                                     const OtherModels& models, double adhesion) {
+  const double fraction = owned_fraction(d);
+  sampled_.spring +=
+      fraction * cohesion::contact::normal_spring_energy(d.deltan, d.kn, models.exponent);
+  sampled_.adhesion += fraction * adhesion;
+  store(d, models, {});
+}
+
+void ModelEnergyTally::add(const ContactModels::SurfacesIntersectData& d,
+                           const ContactModels::ForceData& on_i,
+                           const ContactModels::ForceData& on_j, const OtherModels& models,
+                           const ContactEnergies* of_normal) {
+  Touching& c = touching_.emplace_back();
+  c.i = d.i;
+  c.j = is_own_pair(d) ? d.j : -1;
+  c.normal = vector(d.en);
+  c.lever_i = d.cri;
+  c.lever_j = d.crj;
+  c.force = vector(on_i.delta_F);
+  c.normal_dashpot = 0.0;
+  if (of_normal)
+    sums_.lose_normal(owned_fraction(d), *of_normal);
+  else
+    c.normal_dashpot = cohesion::contact::normal_dashpot(d.Fn, d.deltan, d.kn);
+  c.slip = {d.vtr1, d.vtr2, d.vtr3};
+  Vector3 spring{};
+  if (models.displacement >= 0) spring = -d.kt * vector(d.contact_history + models.displacement);
+  c.damping = cohesion::contact::acting_damping(c.force, spring, d.gammat, c.slip);
+  if (models.rolls) add_rolling(d, on_i, on_j, c);
+  if (d.is_wall) add_wall(d, on_i, c);
 }
 
 /// The torques but those of the tangential force.
-[[gnu::noinline]] void ModelEnergyTally::add_rolling(const ContactModels::SurfacesIntersectData& d,
-                                                     const ContactModels::ForceData& on_i,
-                                                     const ContactModels::ForceData& on_j,
-                                                     Vector3 normal, Vector3 tangential) {
-  rolling_torque_.resize(on_.size());
-  const Vector3 turn = cross(normal, tangential);
+void ModelEnergyTally::add_rolling(const ContactModels::SurfacesIntersectData& d,
+                                   const ContactModels::ForceData& on_i,
+                                   const ContactModels::ForceData& on_j, const Touching& c) {
+  rolling_torque_.resize(particles_);
+  const Vector3 turn = cross(c.normal, c.force);
   rolling_torque_[d.i] += vector(on_i.delta_torque) + d.cri * turn;
-  if (is_own_pair(d)) rolling_torque_[d.j] += vector(on_j.delta_torque) + d.crj * turn;
+  if (c.j >= 0) rolling_torque_[c.j] += vector(on_j.delta_torque) + d.crj * turn;
 }
 
-[[gnu::noinline]] void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
-                                                  const ContactModels::ForceData& on_i,
-                                                  Vector3 friction, Vector3 tangential_dashpot,
-                                                  Vector3 normal_dashpot) {
-  const Vector3 force = vector(on_i.delta_F), v = vector(d.v_j);
+void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
+                                const ContactModels::ForceData& on_i) {
   if (others_act_) {
-    of_contacts_[d.i].force += force;
+    of_contacts_[d.i].force += vector(on_i.delta_F);
     of_contacts_[d.i].torque += vector(on_i.delta_torque);
   }
-  wall_all_ += dot(force, v);
-  wall_friction_ += dot(friction, v);
-  wall_tangential_dashpot_ += dot(tangential_dashpot, v);
-  wall_normal_dashpot_ += dot(normal_dashpot, v);
+  wall_all_ += dot(vector(on_i.delta_F), vector(d.v_j));
+}
+
+void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
+                                const ContactModels::ForceData& on_i, const Touching& c) {
+  add_wall(d, on_i);
+  const Vector3 v = vector(d.v_j);
+  const double along = dot(c.normal, v);
+  wall_friction_ += dot(c.force, v - along * c.normal);
+  wall_tangential_dashpot_ -= c.damping * dot(c.slip, v);
+  wall_normal_dashpot_ += c.normal_dashpot * along;
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
@@ -121,41 +123,6 @@ void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d,
   if (d.is_wall) add_wall(d, on_i);
 }
 
-void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d,
-                                   const ContactModels::ForceData& on_i,
-                                   const ContactModels::ForceData& on_j, double exponent,
-                                   const OtherModels& models, double adhesion) {
-  if (!d.computeflag) return;
-  const ContactSample c = contact_of(d, on_i, exponent, models);
-  if (is_read_) {
-    const double fraction = owned_fraction(d);
-    sampled_.spring += fraction * c.spring_energy();
-    sampled_.adhesion += fraction * adhesion;
-    sums_.store(fraction, {0.0, c.tangential_spring_energy(), rolling_energy(d, models), 0.0});
-  }
-  const Vector3 dashpot = c.normal_dashpot();
-  on_[d.i].normal_dashpot += dashpot;
-  if (is_own_pair(d)) on_[d.j].normal_dashpot -= dashpot;
-  add_friction(d, on_i, on_j, c, models, dashpot);
-}
-
-void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
-                                 const ContactModels::ForceData& on_i,
-                                 const ContactModels::ForceData& on_j, const OtherModels& models,
-                                 const ContactEnergies& of_normal) {
-  if (!d.computeflag) return;
-  const ContactSample c = contact_of(d, on_i, 1.0, models);
-  const double fraction = owned_fraction(d);
-  if (is_read_) {
-    StoredEnergies stored = of_normal.stored;
-    stored.tangential_spring = c.tangential_spring_energy();
-    stored.rolling_spring = rolling_energy(d, models);
-    sums_.store(fraction, stored);
-  }
-  sums_.lose_normal(fraction, of_normal);
-  add_friction(d, on_i, on_j, c, models, {});
-}
-
 void ModelEnergyTally::add_engine_forces(double factor) {
   if (!others_act_) return;
   const Atom* const atom = lmp_->atom;
@@ -167,7 +134,7 @@ void ModelEnergyTally::add_engine_forces(double factor) {
 
 void ModelEnergyTally::clear() {
   particles_ = lmp_->atom->nlocal;
-  on_.assign(particles_, {});
+  touching_.clear();
   if (others_act_) of_contacts_.assign(particles_, {});
   rolling_torque_.clear();
   sampled_ = {};
@@ -193,16 +160,16 @@ void ModelEnergyTally::begin_set_up(bool others_act) {
 }
 
 void ModelEnergyTally::end_step() {
-  if (is_read_ || others_act_)
-    end(&Passage::whole, false);
+  if (is_read_)
+    end_read(&Passage::whole, false);
   else
-    end_without_others();
+    end_unread();
   add_work_of_walls(0.5 * lmp_->update->dt);
 }
 
 void ModelEnergyTally::end_set_up(bool starts, bool known) {
   if (!starts && known) sums_.restore_normal(last_);
-  end(starts ? &Passage::start : &Passage::second_half, starts);
+  end_read(starts ? &Passage::start : &Passage::second_half, starts);
   add_work_of_walls(0.0);
   if (begun_) return;
   begun_ = true;
@@ -210,65 +177,105 @@ void ModelEnergyTally::end_set_up(bool starts, bool known) {
   before_[cohesion::energy_tally::SPRING] = 0.0;  // that is no loss
 }
 
-/// Adds the work of friction and of dashpots on a particle, and that of all contacts on one that
-/// does not move or turn freely: it gives this to the others.
-[[gnu::always_inline]] inline void ModelEnergyTally::add_work_of_contacts(
-    int i, const ForcesAtLevel& forces, bool moves, bool turns, const Passage& passage) {
-  const OnParticle& on = on_[i];
-  sums_.friction.add(on.friction, forces.of_contacts_torque, passage);
-  tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
-  normal_dashpot_.add(on.normal_dashpot, {}, passage);
-  if (!rolling_torque_.empty()) rolling_.add({}, rolling_torque_[i], passage);
-  if (!moves)
-    sums_.external.add(-forces.of_contacts, -forces.of_contacts_torque, passage);
-  else if (!turns)
-    sums_.external.add({}, -forces.of_contacts_torque, passage);
+/// The powers of the contacts' forces; `motion_of`: of a particle.
+template <class MotionOf>
+[[gnu::always_inline]] inline ModelEnergyTally::Powers ModelEnergyTally::powers(
+    MotionOf motion_of) const {
+  Powers sum;
+  for (const Touching& c : touching_) {
+    const Motion i = motion_of(c.i);
+    Vector3 centres = i.velocity, turn = c.lever_i * i.spin;
+    if (c.j >= 0) {
+      const Motion j = motion_of(c.j);
+      centres -= j.velocity;
+      turn += c.lever_j * j.spin;
+    }
+    const Vector3 surfaces = centres - cross(turn, c.normal);
+    const double along = dot(c.normal, centres);
+    sum.friction += dot(c.force, surfaces) - dot(c.force, c.normal) * along;
+    sum.tangential_dashpot -= c.damping * dot(c.slip, surfaces);
+    sum.normal_dashpot += c.normal_dashpot * along;
+  }
+  for (std::size_t i = 0; i < rolling_torque_.size(); i++)
+    sum.rolling += dot(rolling_torque_[i], motion_of(static_cast<int>(i)).spin);
+  return sum;
 }
 
-/// A step without output, where only contacts and gravity act.
-void ModelEnergyTally::end_without_others() {
+/// Adds what they work in the time `length`, of which `after` is after the time level.
+void ModelEnergyTally::add_work(const Powers& power, double length, const Powers& power_after,
+                                double after) {
+  const auto add = [&](WorkOfForces& work, double all, double later) {
+    work.add(length * all - after * later, after * later);
+  };
+  add(sums_.friction, power.friction + power.rolling, power_after.friction + power_after.rolling);
+  add(tangential_dashpot_, power.tangential_dashpot, power_after.tangential_dashpot);
+  add(normal_dashpot_, power.normal_dashpot, power_after.normal_dashpot);
+  add(rolling_, power.rolling, power_after.rolling);
+}
+
+ForcesAtLevel ModelEnergyTally::forces_on(int i, const Vector3& weight) const {
+  const Vector3 all = vector(lmp_->atom->f[i]), torque = vector(lmp_->atom->torque[i]);
+  const ForceAndTorque of_contacts =
+      others_act_ ? of_contacts_[i] : ForceAndTorque{all - weight, torque};
+  const bool turns = mobile_.is_free(lmp_->atom->mask[i]);
+  return {
+      all, of_contacts.force, weight, {}, turns ? torque : of_contacts.torque, of_contacts.torque};
+}
+
+/// Adds the work of other forces on a particle, and what one that does not move or turn freely
+/// gives to others.
+void ModelEnergyTally::add_external_work(int i, const ForcesAtLevel& forces,
+                                         const Passage& passage) {
+  const int mask = lmp_->atom->mask[i];
+  if (!mobile_.moves(mask)) {
+    sums_.external.add(-forces.of_contacts, -forces.of_contacts_torque, passage);
+    return;
+  }
+  if (others_act_) sums_.add_external_work(forces, passage);
+  if (mobile_.is_not_turned(mask)) sums_.external.add({}, -forces.of_contacts_torque, passage);
+}
+
+/// Ends a step without output.
+void ModelEnergyTally::end_unread() {
   const Atom* const atom = lmp_->atom;
-  const GravityOfFixes gravity(lmp_->modify);
   const double half = 0.5 * lmp_->update->dt;
+  const auto motion_of = [&](int i) { return Motion{vector(atom->v[i]), vector(atom->omega[i])}; };
+  add_work(powers(motion_of), 2.0 * half, {}, 0.0);
+  if (!others_act_ && mobile_.all_are_free()) return;
+  const GravityOfFixes gravity(lmp_->modify);
   for (int i = 0; i < particles_; i++) {
-    const int mask = atom->mask[i];
-    const bool moves = mobile_.moves(mask), turns = mobile_.turns(mask);
-    const Vector3 weight = moves ? Vector3{} : atom->rmass[i] * gravity.on(mask);
-    const Vector3 torque = vector(atom->torque[i]);
-    add_work_of_contacts(i, {{}, vector(atom->f[i]) - weight, {}, {}, torque, torque}, moves, turns,
-                         Passage::without_output(vector(atom->v[i]), vector(atom->omega[i]), half));
+    const Motion m = motion_of(i);
+    add_external_work(i, forces_on(i, atom->rmass[i] * gravity.on(atom->mask[i])),
+                      Passage::without_output(m.velocity, m.spin, half));
   }
 }
 
-/// Any other step, and the set-up.
+/// Ends a step with output, or the set-up.
 template <class MakePassage>
-void ModelEnergyTally::end(MakePassage make_passage, bool starts) {
+void ModelEnergyTally::end_read(MakePassage make_passage, bool starts) {
   const Atom* const atom = lmp_->atom;
   const GravityOfFixes gravity(lmp_->modify);
   const double half = 0.5 * lmp_->update->dt;
   const double factor = mobile_.inertia_factor(lmp_->domain->dimension);
+  std::vector<Passage> passages;
   for (int i = 0; i < particles_; i++) {
     const int mask = atom->mask[i];
-    const bool moves = mobile_.moves(mask), turns = moves && mobile_.turns(mask);
-    const Vector3 all = vector(atom->f[i]), weight = atom->rmass[i] * gravity.on(mask);
-    const ForceAndTorque of_contacts =
-        others_act_ ? of_contacts_[i] : ForceAndTorque{all - weight, vector(atom->torque[i])};
-    const Vector3 torque = turns ? vector(atom->torque[i]) : of_contacts.torque;
-    const ForcesAtLevel forces{all,    of_contacts.force, weight, on_[i].friction,
-                               torque, of_contacts.torque};
-    const double inverse_mass = moves ? 1.0 / atom->rmass[i] : 0.0;
+    const double inverse_mass = mobile_.moves(mask) ? 1.0 / atom->rmass[i] : 0.0;
     const double inverse_inertia =
-        turns ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
-    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
-    const Passage passage =
-        is_read_ ? make_passage(velocity, half * inverse_mass * all, spin,
-                                half * inverse_inertia * vector(atom->torque[i]), half)
-                 : Passage::without_output(velocity, spin, half);
-    add_work_of_contacts(i, forces, moves, turns, passage);
-    if (moves && others_act_) sums_.add_external_work(forces, passage);
-    if (moves && is_read_ && !starts)
+        mobile_.is_free(mask) ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
+    const ForcesAtLevel forces = forces_on(i, atom->rmass[i] * gravity.on(mask));
+    passages.push_back(make_passage(vector(atom->v[i]), half * inverse_mass * forces.all,
+                                    vector(atom->omega[i]),
+                                    half * inverse_inertia * vector(atom->torque[i]), half));
+    add_external_work(i, forces, passages.back());
+    if (inverse_mass > 0.0 && !starts)
       sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
+  const Passage times = make_passage({}, {}, {}, {}, half);
+  add_work(
+      powers([&](int i) { return Motion{passages[i].velocity, passages[i].spin}; }), times.length,
+      powers([&](int i) { return Motion{passages[i].velocity_after, passages[i].spin_after}; }),
+      times.after);
 }
 
 /// `before` [time]: how much of the step before the time level counts.

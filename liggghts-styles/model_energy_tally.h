@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "contact/sampled_energies.h"
 #include "contact_interface.h"
 #include "contact_solver/energy_sums.h"
 #include "energy_tally.h"
@@ -19,6 +18,7 @@ struct OtherModels {
   int displacement = -1;  ///< where the contact keeps that of the tangential spring; negative: none
   int rolling = -1;       ///< where it keeps the torque of the rolling spring; negative: none
   bool rolls = false;     ///< whether there is rolling friction
+  double exponent = 1.0;  ///< p of F ~ x^p of the normal spring
 };
 
 /// The energies of the contacts of this process, for compute gran/energy. The models add each
@@ -30,16 +30,18 @@ class ModelEnergyTally {
   /// Whether an output reads this time level. What contacts store is known only there.
   bool is_read() const { return is_read_; }
 
-  /// Adds a contact that touches, as the engine's models, those of this package included, have
-  /// computed it. Sampled: with the energy of its adhesion; exact: with what its normal motion
-  /// stores and loses.
-  void add_sampled(const ContactModels::SurfacesIntersectData&,
-                   const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
-                   double exponent, const OtherModels&, double adhesion);
-  void add_exact(const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
-                 const ContactModels::ForceData& on_j, const OtherModels&,
-                 const cohesion::contact_solver::ContactEnergies& of_normal);
-  /// The same across a gap.
+  /// Adds the forces of a contact that touches, as the engine's models, those of this package
+  /// included, have computed them. of_normal: what its normal motion loses by an energy account;
+  /// null: it is sampled.
+  void add(const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
+           const ContactModels::ForceData& on_j, const OtherModels&,
+           const cohesion::contact_solver::ContactEnergies* of_normal);
+  /// Adds what it stores, at a time level that an output reads. stored: of its normal motion.
+  void store(const ContactModels::SurfacesIntersectData&, const OtherModels&,
+             cohesion::contact_solver::StoredEnergies stored);
+  void store_sampled(const ContactModels::SurfacesIntersectData&, const OtherModels&,
+                     double adhesion);
+  /// Adds a contact across a gap.
   void add_sampled(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
                    double adhesion);
   void add_exact(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
@@ -66,47 +68,57 @@ class ModelEnergyTally {
   void restore_totals(const double* values);
 
  private:
-  /// What contacts do to a particle, for the work that depends on the velocity after the step.
-  struct OnParticle {
-    cohesion::Vector3 friction;                 // of the tangential spring, dashpot and slider
-    cohesion::Vector3 dashpot, dashpot_torque;  // of the tangential dashpot
-    cohesion::Vector3 normal_dashpot;           // of sampled contacts
-  };
-  struct ForceAndTorque {
-    cohesion::Vector3 force, torque;
-  };
   using Vector3 = cohesion::Vector3;
   using WorkOfForces = cohesion::contact_solver::WorkOfForces;
+  using ForcesAtLevel = cohesion::contact_solver::ForcesAtLevel;
+
+  /// A contact of this step: its work depends on the velocities after the step.
+  struct Touching {
+    int i, j;  ///< j < 0: a wall, or a particle of another process
+    Vector3 normal, force, slip;
+    double lever_i, lever_j;
+    double damping;         ///< of the tangential dashpot; 0 where it slides
+    double normal_dashpot;  ///< force of that of a sampled contact
+  };
+  struct Motion {
+    Vector3 velocity, spin;
+  };
+  /// [energy/time].
+  struct Powers {
+    double friction = 0.0;  ///< of the tangential spring, dashpot and slider
+    double tangential_dashpot = 0.0, normal_dashpot = 0.0, rolling = 0.0;
+  };
+  struct ForceAndTorque {
+    Vector3 force, torque;
+  };
 
   void clear();
-  void add_friction(const ContactModels::SurfacesIntersectData&,
-                    const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
-                    const cohesion::contact::ContactSample&, const OtherModels&,
-                    const Vector3& normal_dashpot);
-  // Vectors by value: what has an address does not stay in registers.
   void add_rolling(const ContactModels::SurfacesIntersectData&,
                    const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
-                   Vector3 normal, Vector3 tangential);
+                   const Touching&);
+  void add_wall(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i);
   void add_wall(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
-                Vector3 friction = {}, Vector3 tangential_dashpot = {},
-                Vector3 normal_dashpot = {});
+                const Touching&);
   void add_engine_forces(double factor);
   bool is_own_pair(const ContactModels::SurfacesCloseData& d) const {
     return !d.is_wall && d.j < particles_;
   }
   double owned_fraction(const ContactModels::SurfacesCloseData&) const;
-  void add_work_of_contacts(int i, const cohesion::contact_solver::ForcesAtLevel&, bool moves,
-                            bool turns, const cohesion::contact_solver::Passage&);
-  void end_without_others();
+  template <class MotionOf>
+  Powers powers(MotionOf motion_of) const;
+  void add_work(const Powers&, double length, const Powers& after_level, double after);
+  ForcesAtLevel forces_on(int i, const Vector3& weight) const;
+  void add_external_work(int i, const ForcesAtLevel&, const cohesion::contact_solver::Passage&);
+  void end_unread();
   template <class MakePassage>
-  void end(MakePassage make_passage, bool starts);
+  void end_read(MakePassage make_passage, bool starts);
   void add_work_of_walls(double before);
   void add_so_far(double factor, double* entries) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   IntegratedParticles mobile_{lmp_};
   int particles_ = 0;  // of this process
-  std::vector<OnParticle> on_;
+  std::vector<Touching> touching_;
   std::vector<Vector3> rolling_torque_;      // against rolling, on each particle
   std::vector<ForceAndTorque> of_contacts_;  // on each particle; unused where no others act
   cohesion::contact_solver::EnergySums sums_;
