@@ -169,6 +169,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// A contact of scheme exact: in the place of what the engine's normal model made of it. Friction
   /// sees its spring and dashpot, as under scheme sampled.
   [[gnu::noinline]] void advance(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
+    last_energies_ = nullptr;
     if (!carries(contact)) return;
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
@@ -290,7 +291,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   cohesion::contact_solver::ContactEnergies* new_energies() {
     if (!tally_) return nullptr;
     energies_ = {};
-    return &energies_;
+    return last_energies_ = &energies_;
   }
 
   /// Whether an output reads the energies of this step.
@@ -299,17 +300,17 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
     if (!contact.computeflag) return;  // a force evaluation without a step
-    if (tally_->is_read()) write_stored(contact);
-    tally_->add(contact, on_i, on_j, other_models_,
-                exact_ && carries(contact) ? &energies_ : nullptr);
+    if (tally_->is_read()) return write_read_contact(contact, on_i, on_j);
+    tally_->add(contact, on_i, on_j, other_models_, last_energies_);
   }
-  [[gnu::noinline]] void write_stored(const SurfacesIntersectData& contact) {
-    const bool attracts = carries(contact);
-    if (exact_ && attracts)
-      tally_->store(contact, other_models_, energies_.stored);
+  [[gnu::noinline]] void write_read_contact(const SurfacesIntersectData& contact,
+                                            const ForceData& on_i, const ForceData& on_j) {
+    if (last_energies_)
+      tally_->store(contact, other_models_, last_energies_->stored);
     else
       tally_->store_sampled(contact, other_models_,
-                            attracts ? adhesion_energy(contact, -contact.deltan) : 0.0);
+                            carries(contact) ? adhesion_energy(contact, -contact.deltan) : 0.0);
+    tally_->add(contact, on_i, on_j, other_models_, last_energies_);
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.
@@ -354,7 +355,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   bool update_all_ = false;  // the memory of every contact is brought up to date in this step
   bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
   Cohesion::OtherModels other_models_;
-  cohesion::contact_solver::ContactEnergies energies_{};  // of the last contact of scheme exact
+  cohesion::contact_solver::ContactEnergies energies_{};
+  cohesion::contact_solver::ContactEnergies* last_energies_ = nullptr;  // null: a sampled contact
   int others_history_;  // place of what the tangential and the rolling model remember
 };
 

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <cstring>
+
 #include "atom.h"
 #include "contact/sampled_energies.h"
 #include "domain.h"
@@ -53,27 +55,46 @@ void ModelEnergyTally::store_sampled(const ContactModels::SurfacesIntersectData&
   store(d, models, {});
 }
 
+// What is rare comes last and in functions of its own, whose calls would cost saved registers here.
 void ModelEnergyTally::add(const ContactModels::SurfacesIntersectData& d,
                            const ContactModels::ForceData& on_i,
                            const ContactModels::ForceData& on_j, const OtherModels& models,
                            const ContactEnergies* of_normal) {
-  Touching& c = touching_.emplace_back();
+  if (contacts_ == touching_.size()) return grow_and_add(d, on_i, on_j, models, of_normal);
+  Touching& c = touching_[contacts_++];
+  const bool own = is_own_pair(d);
   c.i = d.i;
-  c.j = is_own_pair(d) ? d.j : -1;
-  c.normal = vector(d.en);
+  c.j = own ? d.j : -1;
   c.lever_i = d.cri;
   c.lever_j = d.crj;
-  c.force = vector(on_i.delta_F);
   c.normal_dashpot = 0.0;
   if (of_normal)
-    sums_.lose_normal(owned_fraction(d), *of_normal);
+    sums_.lose_normal(own || d.is_wall ? 1.0 : 0.5, *of_normal);
   else
     c.normal_dashpot = cohesion::contact::normal_dashpot(d.Fn, d.deltan, d.kn);
-  c.slip = {d.vtr1, d.vtr2, d.vtr3};
+  std::memcpy(&c.normal, d.en, sizeof(c.normal));
+  const Vector3 force = vector(on_i.delta_F), slip{d.vtr1, d.vtr2, d.vtr3};
+  c.force = force;
+  c.slip = slip;
   Vector3 spring{};
   if (models.displacement >= 0) spring = -d.kt * vector(d.contact_history + models.displacement);
-  c.damping = cohesion::contact::acting_damping(c.force, spring, d.gammat, c.slip);
-  if (models.rolls) add_rolling(d, on_i, on_j, c);
+  c.damping = cohesion::contact::acting_damping(force, spring, d.gammat, slip);
+  if (models.rolls || d.is_wall) add_rare(d, on_i, on_j, models.rolls);
+}
+
+void ModelEnergyTally::grow_and_add(const ContactModels::SurfacesIntersectData& d,
+                                    const ContactModels::ForceData& on_i,
+                                    const ContactModels::ForceData& on_j, const OtherModels& models,
+                                    const ContactEnergies* of_normal) {
+  touching_.resize(2 * contacts_ + 64);
+  add(d, on_i, on_j, models, of_normal);
+}
+
+void ModelEnergyTally::add_rare(const ContactModels::SurfacesIntersectData& d,
+                                const ContactModels::ForceData& on_i,
+                                const ContactModels::ForceData& on_j, bool rolls) {
+  const Touching& c = touching_[contacts_ - 1];
+  if (rolls) add_rolling(d, on_i, on_j, c);
   if (d.is_wall) add_wall(d, on_i, c);
 }
 
@@ -134,7 +155,7 @@ void ModelEnergyTally::add_engine_forces(double factor) {
 
 void ModelEnergyTally::clear() {
   particles_ = lmp_->atom->nlocal;
-  touching_.clear();
+  contacts_ = 0;
   if (others_act_) of_contacts_.assign(particles_, {});
   rolling_torque_.clear();
   sampled_ = {};
@@ -182,7 +203,8 @@ template <class MotionOf>
 [[gnu::always_inline]] inline ModelEnergyTally::Powers ModelEnergyTally::powers(
     MotionOf motion_of) const {
   Powers sum;
-  for (const Touching& c : touching_) {
+  for (std::size_t k = 0; k < contacts_; k++) {
+    const Touching& c = touching_[k];
     const Motion i = motion_of(c.i);
     Vector3 centres = i.velocity, turn = c.lever_i * i.spin;
     if (c.j >= 0) {
@@ -239,7 +261,9 @@ void ModelEnergyTally::add_external_work(int i, const ForcesAtLevel& forces,
 void ModelEnergyTally::end_unread() {
   const Atom* const atom = lmp_->atom;
   const double half = 0.5 * lmp_->update->dt;
-  const auto motion_of = [&](int i) { return Motion{vector(atom->v[i]), vector(atom->omega[i])}; };
+  const double* const v = particles_ > 0 ? atom->v[0] : nullptr;
+  const double* const omega = particles_ > 0 ? atom->omega[0] : nullptr;
+  const auto motion_of = [=](int i) { return Motion{vector(v + 3 * i), vector(omega + 3 * i)}; };
   add_work(powers(motion_of), 2.0 * half, {}, 0.0);
   if (!others_act_ && mobile_.all_are_free()) return;
   const GravityOfFixes gravity(lmp_->modify);

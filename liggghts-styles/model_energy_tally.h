@@ -2,6 +2,7 @@
 #ifndef COHESION_MODEL_ENERGY_TALLY_H
 #define COHESION_MODEL_ENERGY_TALLY_H
 
+#include <cstddef>
 #include <vector>
 
 #include "contact_interface.h"
@@ -93,6 +94,13 @@ class ModelEnergyTally {
   };
 
   void clear();
+  [[gnu::noinline, gnu::cold]] void grow_and_add(
+      const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
+      const ContactModels::ForceData& on_j, const OtherModels&,
+      const cohesion::contact_solver::ContactEnergies* of_normal);
+  [[gnu::noinline]] void add_rare(const ContactModels::SurfacesIntersectData&,
+                                  const ContactModels::ForceData& on_i,
+                                  const ContactModels::ForceData& on_j, bool rolls);
   void add_rolling(const ContactModels::SurfacesIntersectData&,
                    const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
                    const Touching&);
@@ -117,8 +125,9 @@ class ModelEnergyTally {
 
   LAMMPS_NS::LAMMPS* lmp_;
   IntegratedParticles mobile_{lmp_};
-  int particles_ = 0;  // of this process
-  std::vector<Touching> touching_;
+  int particles_ = 0;               // of this process
+  std::vector<Touching> touching_;  // the first contacts_ of them
+  std::size_t contacts_ = 0;
   std::vector<Vector3> rolling_torque_;      // against rolling, on each particle
   std::vector<ForceAndTorque> of_contacts_;  // on each particle; unused where no others act
   cohesion::contact_solver::EnergySums sums_;
