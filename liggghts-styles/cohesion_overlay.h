@@ -161,12 +161,15 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                               inverse * near.delta[2]};
     if (!attract(near, r, normal, on_i, on_j)) return;
     near.has_force_update = true;
-    if (tally_) write_attraction(near, normal, r - near.radsum, on_i);
+    if (tally_)
+      tally_->add_sampled(near, on_i,
+                          reads_energies() ? adhesion_energy(near, r - near.radsum) : 0.0);
   }
 
   /// A contact of scheme exact: in the place of what the engine's normal model made of it. Friction
   /// sees its spring and dashpot, as under scheme sampled.
   [[gnu::noinline]] void advance(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
+    last_energies_ = nullptr;
     if (!carries(contact)) return;
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
@@ -192,18 +195,14 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     cohesion::contact_solver::ContactStep step;
     if (!carries(near) || !exact_->advance(near, r, normal, step, new_energies(), reads_energies()))
       return;
-    if (tally_) {
-      cohesion::contact::ContactSample contact;
-      contact.normal = cohesion::vector(normal);
-      contact.attraction = -step.force;
-      tally_->add_exact(near, contact, energies_);
+    if (step.force != 0.0) {
+      for (int d = 0; d < 3; d++) {
+        on_i.delta_F[d] = step.force * normal[d];
+        on_j.delta_F[d] = -step.force * normal[d];
+      }
+      near.has_force_update = true;
     }
-    if (step.force == 0.0) return;
-    for (int d = 0; d < 3; d++) {
-      on_i.delta_F[d] = step.force * normal[d];
-      on_j.delta_F[d] = -step.force * normal[d];
-    }
-    near.has_force_update = true;
+    if (tally_) tally_->add_exact(near, on_i, energies_);
   }
 
   /// Without a keyword the scheme is exact where the contact model allows it, which stays for later
@@ -284,6 +283,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (slides) other_models_.displacement = others_history_;
     if (has("rolling_friction", "epsd2"))
       other_models_.rolling = others_history_ + (slides ? 3 : 0);
+    other_models_.exponent = normal_->exponent();
     other_models_.rolls = !has("rolling_friction", "off");
   }
 
@@ -291,7 +291,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   cohesion::contact_solver::ContactEnergies* new_energies() {
     if (!tally_) return nullptr;
     energies_ = {};
-    return &energies_;
+    return last_energies_ = &energies_;
   }
 
   /// Whether an output reads the energies of this step.
@@ -299,22 +299,18 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
-    const bool attracts = carries(contact);
-    if (exact_ && attracts)
-      tally_->add_exact(contact, on_i, on_j, other_models_, energies_);
-    else
-      tally_->add_sampled(
-          contact, on_i, on_j, normal_->exponent(), other_models_,
-          attracts && reads_energies() ? adhesion_energy(contact, -contact.deltan) : 0);
+    if (!contact.computeflag) return;  // a force evaluation without a step
+    if (tally_->is_read()) return write_read_contact(contact, on_i, on_j);
+    tally_->add(contact, on_i, on_j, other_models_, last_energies_);
   }
-
-  [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
-                                          double gap, const ForceData& on_i) {
-    cohesion::contact::ContactSample contact;
-    contact.normal = cohesion::vector(normal);
-    contact.overlap = -gap;
-    contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    tally_->add_sampled(near, contact, reads_energies() ? adhesion_energy(near, gap) : 0.0);
+  [[gnu::noinline]] void write_read_contact(const SurfacesIntersectData& contact,
+                                            const ForceData& on_i, const ForceData& on_j) {
+    if (last_energies_)
+      tally_->store(contact, other_models_, last_energies_->stored);
+    else
+      tally_->store_sampled(contact, other_models_,
+                            carries(contact) ? adhesion_energy(contact, -contact.deltan) : 0.0);
+    tally_->add(contact, on_i, on_j, other_models_, last_energies_);
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.
@@ -359,7 +355,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   bool update_all_ = false;  // the memory of every contact is brought up to date in this step
   bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
   Cohesion::OtherModels other_models_;
-  cohesion::contact_solver::ContactEnergies energies_{};  // of the last contact of scheme exact
+  cohesion::contact_solver::ContactEnergies energies_{};
+  cohesion::contact_solver::ContactEnergies* last_energies_ = nullptr;  // null: a sampled contact
   int others_history_;  // place of what the tangential and the rolling model remember
 };
 

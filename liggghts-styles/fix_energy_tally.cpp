@@ -78,6 +78,22 @@ double FixEnergyTally::clock() const {
   return others ? others->clock() : 0.0;
 }
 
+/// Whether anything but contacts and gravity exerts forces.
+bool FixEnergyTally::others_act() const {
+  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
+    return true;
+  constexpr int WITH_FORCES = FixConst::PRE_FORCE | FixConst::POST_FORCE;
+  for (int k = 0; k < modify->nfix; k++) {
+    const auto is = [&](const char* start) {
+      return std::strncmp(modify->fix[k]->style, start, std::strlen(start)) == 0;
+    };
+    const bool is_known = is("cohesion_") || is("gravity") || is("wall/gran") ||
+                          is("mesh/surface") || is("neighlist/mesh") || is("contacthistory");
+    if ((modify->fmask[k] & WITH_FORCES) && !is_known) return true;
+  }
+  return false;
+}
+
 /// Contacts of scheme exact go on with the forces of the last run, unless there were none or the
 /// step is another.
 void FixEnergyTally::setup(int) {

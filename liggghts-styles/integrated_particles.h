@@ -35,6 +35,10 @@ class IntegratedParticles {
   bool moves(int mask) const {
     return (mask & mobile_) && !(mask & frozen_) && !(any_held_ && held_.hold(mask));
   }
+  /// Whether a particle moves and turns.
+  bool is_free(int mask) const { return moves(mask) && (mask & turned_); }
+  /// Whether all particles do, whatever their groups: bit 1 is that of group all.
+  bool all_are_free() const { return is_free(1) && frozen_ == 0 && !any_held_; }
   /// Whether a particle moves and nothing turns it.
   bool is_not_turned(int mask) const { return moves(mask) && !(mask & turned_); }
 

@@ -3,7 +3,10 @@
 
 #include <mpi.h>
 
+#include <cstring>
+
 #include "atom.h"
+#include "contact/sampled_energies.h"
 #include "domain.h"
 #include "gravity_of_fixes.h"
 #include "sphere.h"
@@ -16,40 +19,14 @@ using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
 using namespace cohesion::contact_solver;
-using cohesion::contact::ContactSample;
 
 namespace {
 
-[[gnu::always_inline]] inline ContactSample contact_of(
-    const ContactModels::SurfacesIntersectData& d, const ContactModels::ForceData& on_i,
-    const ContactModels::ForceData& on_j, double exponent, const OtherModels& models) {
-  ContactSample c;
-  const Vector3 force = vector(on_i.delta_F);
-  c.normal = vector(d.en);
-  c.overlap = d.deltan;
-  c.stiffness = d.kn;
-  c.exponent = exponent;
-  c.repulsion = d.Fn;
-  c.attraction = d.Fn - dot(force, c.normal);
-  c.tangential = force - dot(force, c.normal) * c.normal;
-  c.slip = {d.vtr1, d.vtr2, d.vtr3};
-  c.lever_i = d.cri;
-  c.lever_j = d.is_wall ? 0.0 : d.crj;
-  if (models.displacement >= 0) {
-    c.displacement = vector(d.contact_history + models.displacement);
-    c.tangential_stiffness = d.kt;
-  }
-  c.tangential_damping = d.gammat;
-  c.rolls = models.rolls;
-  if (!c.rolls) return c;
-  const Vector3 turn = cross(c.normal, c.tangential);
-  c.rolling_i = vector(on_i.delta_torque) + c.lever_i * turn;
-  if (!d.is_wall) c.rolling_j = vector(on_j.delta_torque) + c.lever_j * turn;
-  if (models.rolling >= 0)
-    c.rolling_energy = cohesion::contact::rolling_spring_energy(
-        vector(d.contact_history + models.rolling), d.kt,
-        d.is_wall ? d.radi : cohesion::reduced_radius(d.radi, d.radj));
-  return c;
+double rolling_energy(const ContactModels::SurfacesIntersectData& d, const OtherModels& models) {
+  if (models.rolling < 0) return 0.0;
+  return cohesion::contact::rolling_spring_energy(
+      vector(d.contact_history + models.rolling), d.kt,
+      d.is_wall ? d.radi : cohesion::reduced_radius(d.radi, d.radj));
 }
 
 }  // namespace
@@ -57,115 +34,130 @@ namespace {
 /// A pair that another rank, or an image of itself, has as well.
 [[gnu::always_inline]] inline double ModelEnergyTally::owned_fraction(
     const ContactModels::SurfacesCloseData& d) const {
-  return !d.is_wall && d.j >= lmp_->atom->nlocal ? 0.5 : 1.0;
+  return !d.is_wall && d.j >= particles_ ? 0.5 : 1.0;
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add_forces(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
-  OnParticle& on_i = on_[d.i];
-  OnParticle* const on_j = is_own_pair(d) ? &on_[d.j] : nullptr;
-  on_i.friction += c.tangential;
-  if (on_j) on_j->friction -= c.tangential;
-  const Vector3 dashpot = c.tangential_dashpot(), turn = cross(c.normal, dashpot);
-  on_i.dashpot += dashpot;
-  on_i.dashpot_torque -= c.lever_i * turn;
-  if (on_j) {
-    on_j->dashpot -= dashpot;
-    on_j->dashpot_torque -= c.lever_j * turn;
+void ModelEnergyTally::store(const ContactModels::SurfacesIntersectData& d,
+                             const OtherModels& models, StoredEnergies stored) {
+  if (models.displacement >= 0)
+    stored.tangential_spring = cohesion::contact::tangential_spring_energy(
+        vector(d.contact_history + models.displacement), d.kt);
+  stored.rolling_spring = rolling_energy(d, models);
+  sums_.store(owned_fraction(d), stored);
+}
+
+void ModelEnergyTally::store_sampled(const ContactModels::SurfacesIntersectData& d,
+                                     const OtherModels& models, double adhesion) {
+  const double fraction = owned_fraction(d);
+  sampled_.spring +=
+      fraction * cohesion::contact::normal_spring_energy(d.deltan, d.kn, models.exponent);
+  sampled_.adhesion += fraction * adhesion;
+  store(d, models, {});
+}
+
+// What is rare comes last and in functions of its own, whose calls would cost saved registers here.
+void ModelEnergyTally::add(const ContactModels::SurfacesIntersectData& d,
+                           const ContactModels::ForceData& on_i,
+                           const ContactModels::ForceData& on_j, const OtherModels& models,
+                           const ContactEnergies* of_normal) {
+  if (contacts_ == touching_.size()) return grow_and_add(d, on_i, on_j, models, of_normal);
+  Touching& c = touching_[contacts_++];
+  const bool own = is_own_pair(d);
+  c.i = d.i;
+  c.j = own ? d.j : -1;
+  c.lever_i = d.cri;
+  c.lever_j = d.crj;
+  c.normal_dashpot = 0.0;
+  if (of_normal)
+    sums_.lose_normal(own || d.is_wall ? 1.0 : 0.5, *of_normal);
+  else
+    c.normal_dashpot = cohesion::contact::normal_dashpot(d.Fn, d.deltan, d.kn);
+  std::memcpy(&c.normal, d.en, sizeof(c.normal));
+  const Vector3 force = vector(on_i.delta_F), slip{d.vtr1, d.vtr2, d.vtr3};
+  c.force = force;
+  c.slip = slip;
+  Vector3 spring{};
+  if (models.displacement >= 0) spring = -d.kt * vector(d.contact_history + models.displacement);
+  c.damping = cohesion::contact::acting_damping(force, spring, d.gammat, slip);
+  if (models.rolls || d.is_wall) add_rare(d, on_i, on_j, models.rolls);
+}
+
+void ModelEnergyTally::grow_and_add(const ContactModels::SurfacesIntersectData& d,
+                                    const ContactModels::ForceData& on_i,
+                                    const ContactModels::ForceData& on_j, const OtherModels& models,
+                                    const ContactEnergies* of_normal) {
+  touching_.resize(2 * contacts_ + 64);
+  add(d, on_i, on_j, models, of_normal);
+}
+
+void ModelEnergyTally::add_rare(const ContactModels::SurfacesIntersectData& d,
+                                const ContactModels::ForceData& on_i,
+                                const ContactModels::ForceData& on_j, bool rolls) {
+  const Touching& c = touching_[contacts_ - 1];
+  if (rolls) add_rolling(d, on_i, on_j, c);
+  if (d.is_wall) add_wall(d, on_i, c);
+}
+
+/// The torques but those of the tangential force.
+void ModelEnergyTally::add_rolling(const ContactModels::SurfacesIntersectData& d,
+                                   const ContactModels::ForceData& on_i,
+                                   const ContactModels::ForceData& on_j, const Touching& c) {
+  rolling_torque_.resize(particles_);
+  const Vector3 turn = cross(c.normal, c.force);
+  rolling_torque_[d.i] += vector(on_i.delta_torque) + d.cri * turn;
+  if (c.j >= 0) rolling_torque_[c.j] += vector(on_j.delta_torque) + d.crj * turn;
+}
+
+void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
+                                const ContactModels::ForceData& on_i) {
+  if (others_act_) {
+    of_contacts_[d.i].force += vector(on_i.delta_F);
+    of_contacts_[d.i].torque += vector(on_i.delta_torque);
   }
-  if (c.rolls) add_rolling(d, c);
-  if (d.is_wall) add_wall(d, c, dashpot);
+  wall_all_ += dot(vector(on_i.delta_F), vector(d.v_j));
 }
 
-[[gnu::always_inline]] inline void ModelEnergyTally::add_rolling(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c) {
-  rolling_torque_.resize(on_.size());
-  rolling_torque_[d.i] += c.rolling_i;
-  if (is_own_pair(d)) rolling_torque_[d.j] += c.rolling_j;
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_normal_dashpot(
-    const ContactModels::SurfacesCloseData& d, const Vector3& dashpot) {
-  if (normal_dashpot_force_.empty()) normal_dashpot_force_.resize(on_.size());
-  normal_dashpot_force_[d.i] += dashpot;
-  if (is_own_pair(d)) normal_dashpot_force_[d.j] -= dashpot;
-  if (d.is_wall) wall_normal_dashpot_ += dot(dashpot, vector(d.v_j));
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_wall(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c, const Vector3& dashpot) {
-  const Vector3 force = c.force_on_i(), v = vector(d.v_j);
-  on_[d.i].force += force;
-  on_[d.i].torque += c.rolling_i - c.lever_i * cross(c.normal, c.tangential);
-  wall_all_ += dot(force, v);
-  wall_friction_ += dot(c.tangential, v);
-  wall_tangential_dashpot_ += dot(dashpot, v);
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_of_sampled(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c, double adhesion) {
-  if (!d.computeflag) return;  // a force evaluation without a step
-  if (is_read_) {
-    const double fraction = owned_fraction(d);
-    sampled_.spring += fraction * c.spring_energy();
-    sampled_.adhesion += fraction * adhesion;
-    sums_.store(fraction, {0.0, c.tangential_spring_energy(), c.rolling_energy, 0.0});
-  }
-  add_normal_dashpot(d, c.normal_dashpot());
-  add_forces(d, c);
+void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
+                                const ContactModels::ForceData& on_i, const Touching& c) {
+  add_wall(d, on_i);
+  const Vector3 v = vector(d.v_j);
+  const double along = dot(c.normal, v);
+  wall_friction_ += dot(c.force, v - along * c.normal);
+  wall_tangential_dashpot_ -= c.damping * dot(c.slip, v);
+  wall_normal_dashpot_ += c.normal_dashpot * along;
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
-                                   const ContactSample& c, double adhesion) {
-  add_of_sampled(d, c, adhesion);
+                                   const ContactModels::ForceData& on_i, double adhesion) {
+  if (!d.computeflag) return;  // a force evaluation without a step
+  if (is_read_) sampled_.adhesion += owned_fraction(d) * adhesion;
+  if (d.is_wall) add_wall(d, on_i);
 }
 
-void ModelEnergyTally::add_sampled(const ContactModels::SurfacesIntersectData& d,
-                                   const ContactModels::ForceData& on_i,
-                                   const ContactModels::ForceData& on_j, double exponent,
-                                   const OtherModels& models, double adhesion) {
-  add_of_sampled(d, contact_of(d, on_i, on_j, exponent, models), adhesion);
-}
-
-[[gnu::always_inline]] inline void ModelEnergyTally::add_of_exact(
-    const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-    const ContactEnergies& of_normal) {
+void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d,
+                                 const ContactModels::ForceData& on_i,
+                                 const ContactEnergies& of_normal) {
   if (!d.computeflag) return;
   const double fraction = owned_fraction(d);
-  if (is_read_) {
-    StoredEnergies stored = of_normal.stored;
-    stored.tangential_spring = c.tangential_spring_energy();
-    stored.rolling_spring = c.rolling_energy;
-    sums_.store(fraction, stored);
-  }
+  if (is_read_) sums_.store(fraction, of_normal.stored);
   sums_.lose_normal(fraction, of_normal);
-  add_forces(d, c);
-}
-
-void ModelEnergyTally::add_exact(const ContactModels::SurfacesCloseData& d, const ContactSample& c,
-                                 const ContactEnergies& of_normal) {
-  add_of_exact(d, c, of_normal);
-}
-
-void ModelEnergyTally::add_exact(const ContactModels::SurfacesIntersectData& d,
-                                 const ContactModels::ForceData& on_i,
-                                 const ContactModels::ForceData& on_j, const OtherModels& models,
-                                 const ContactEnergies& of_normal) {
-  add_of_exact(d, contact_of(d, on_i, on_j, 1.0, models), of_normal);
+  if (d.is_wall) add_wall(d, on_i);
 }
 
 void ModelEnergyTally::add_engine_forces(double factor) {
+  if (!others_act_) return;
   const Atom* const atom = lmp_->atom;
-  for (int i = 0; i < atom->nlocal; i++) {
-    on_[i].force += factor * vector(atom->f[i]);
-    on_[i].torque += factor * vector(atom->torque[i]);
+  for (int i = 0; i < particles_; i++) {
+    of_contacts_[i].force += factor * vector(atom->f[i]);
+    of_contacts_[i].torque += factor * vector(atom->torque[i]);
   }
 }
 
 void ModelEnergyTally::clear() {
-  on_.assign(lmp_->atom->nlocal, {});
+  particles_ = lmp_->atom->nlocal;
+  contacts_ = 0;
+  if (others_act_) of_contacts_.assign(particles_, {});
   rolling_torque_.clear();
-  normal_dashpot_force_.clear();
   sampled_ = {};
   wall_all_ = wall_friction_ = wall_normal_dashpot_ = wall_tangential_dashpot_ = 0.0;
 }
@@ -177,8 +169,10 @@ void ModelEnergyTally::begin_step(bool is_read) {
   clear();
 }
 
-void ModelEnergyTally::begin_set_up() {
+void ModelEnergyTally::begin_set_up(bool others_act) {
   is_read_ = true;
+  others_act_ = others_act;
+  mobile_ = IntegratedParticles(lmp_);
   last_ = sums_.stored();
   sums_.begin_again();
   for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_})
@@ -186,65 +180,131 @@ void ModelEnergyTally::begin_set_up() {
   clear();
 }
 
-void ModelEnergyTally::end_step() { end(&Passage::whole, 0.5 * lmp_->update->dt, false); }
+void ModelEnergyTally::end_step() {
+  if (is_read_)
+    end_read(&Passage::whole, false);
+  else
+    end_unread();
+  add_work_of_walls(0.5 * lmp_->update->dt);
+}
 
 void ModelEnergyTally::end_set_up(bool starts, bool known) {
   if (!starts && known) sums_.restore_normal(last_);
-  end(starts ? &Passage::start : &Passage::second_half, 0.0, starts);
+  end_read(starts ? &Passage::start : &Passage::second_half, starts);
+  add_work_of_walls(0.0);
   if (begun_) return;
   begun_ = true;
   add_so_far(-1.0, before_);
   before_[cohesion::energy_tally::SPRING] = 0.0;  // that is no loss
 }
 
-/// Adds the work of all forces. `before` [time]: how much of the step before the time level counts.
-template <class MakePassage>
-void ModelEnergyTally::end(MakePassage make_passage, double before, bool starts) {
+/// The powers of the contacts' forces; `motion_of`: of a particle.
+template <class MotionOf>
+[[gnu::always_inline]] inline ModelEnergyTally::Powers ModelEnergyTally::powers(
+    MotionOf motion_of) const {
+  Powers sum;
+  for (std::size_t k = 0; k < contacts_; k++) {
+    const Touching& c = touching_[k];
+    const Motion i = motion_of(c.i);
+    Vector3 centres = i.velocity, turn = c.lever_i * i.spin;
+    if (c.j >= 0) {
+      const Motion j = motion_of(c.j);
+      centres -= j.velocity;
+      turn += c.lever_j * j.spin;
+    }
+    const Vector3 surfaces = centres - cross(turn, c.normal);
+    const double along = dot(c.normal, centres);
+    sum.friction += dot(c.force, surfaces) - dot(c.force, c.normal) * along;
+    sum.tangential_dashpot -= c.damping * dot(c.slip, surfaces);
+    sum.normal_dashpot += c.normal_dashpot * along;
+  }
+  for (std::size_t i = 0; i < rolling_torque_.size(); i++)
+    sum.rolling += dot(rolling_torque_[i], motion_of(static_cast<int>(i)).spin);
+  return sum;
+}
+
+/// Adds what they work in the time `length`, of which `after` is after the time level.
+void ModelEnergyTally::add_work(const Powers& power, double length, const Powers& power_after,
+                                double after) {
+  const auto add = [&](WorkOfForces& work, double all, double later) {
+    work.add(length * all - after * later, after * later);
+  };
+  add(sums_.friction, power.friction + power.rolling, power_after.friction + power_after.rolling);
+  add(tangential_dashpot_, power.tangential_dashpot, power_after.tangential_dashpot);
+  add(normal_dashpot_, power.normal_dashpot, power_after.normal_dashpot);
+  add(rolling_, power.rolling, power_after.rolling);
+}
+
+ForcesAtLevel ModelEnergyTally::forces_on(int i, const Vector3& weight) const {
+  const Vector3 all = vector(lmp_->atom->f[i]), torque = vector(lmp_->atom->torque[i]);
+  const ForceAndTorque of_contacts =
+      others_act_ ? of_contacts_[i] : ForceAndTorque{all - weight, torque};
+  const bool turns = mobile_.is_free(lmp_->atom->mask[i]);
+  return {
+      all, of_contacts.force, weight, {}, turns ? torque : of_contacts.torque, of_contacts.torque};
+}
+
+/// Adds the work of other forces on a particle, and what one that does not move or turn freely
+/// gives to others.
+void ModelEnergyTally::add_external_work(int i, const ForcesAtLevel& forces,
+                                         const Passage& passage) {
+  const int mask = lmp_->atom->mask[i];
+  if (!mobile_.moves(mask)) {
+    sums_.external.add(-forces.of_contacts, -forces.of_contacts_torque, passage);
+    return;
+  }
+  if (others_act_) sums_.add_external_work(forces, passage);
+  if (mobile_.is_not_turned(mask)) sums_.external.add({}, -forces.of_contacts_torque, passage);
+}
+
+/// Ends a step without output.
+void ModelEnergyTally::end_unread() {
   const Atom* const atom = lmp_->atom;
-  const IntegratedParticles mobile(lmp_);
+  const double half = 0.5 * lmp_->update->dt;
+  const double* const v = particles_ > 0 ? atom->v[0] : nullptr;
+  const double* const omega = particles_ > 0 ? atom->omega[0] : nullptr;
+  const auto motion_of = [=](int i) { return Motion{vector(v + 3 * i), vector(omega + 3 * i)}; };
+  add_work(powers(motion_of), 2.0 * half, {}, 0.0);
+  if (!others_act_ && mobile_.all_are_free()) return;
+  const GravityOfFixes gravity(lmp_->modify);
+  for (int i = 0; i < particles_; i++) {
+    const Motion m = motion_of(i);
+    add_external_work(i, forces_on(i, atom->rmass[i] * gravity.on(atom->mask[i])),
+                      Passage::without_output(m.velocity, m.spin, half));
+  }
+}
+
+/// Ends a step with output, or the set-up.
+template <class MakePassage>
+void ModelEnergyTally::end_read(MakePassage make_passage, bool starts) {
+  const Atom* const atom = lmp_->atom;
   const GravityOfFixes gravity(lmp_->modify);
   const double half = 0.5 * lmp_->update->dt;
-  const double factor = mobile.inertia_factor(lmp_->domain->dimension);
-  const auto forces_on = [&](int i, bool turns) {
-    const OnParticle& on = on_[i];
-    const Vector3 weight = atom->rmass[i] * gravity.on(atom->mask[i]);
-    const Vector3 torque = turns ? vector(atom->torque[i]) : on.torque;
-    return ForcesAtLevel{vector(atom->f[i]), on.force, weight, on.friction, torque, on.torque};
-  };
-  const auto add_work = [&](int i, bool moves, bool turns, const Passage& passage)
-                            __attribute__((always_inline)) {
-                              const OnParticle& on = on_[i];
-                              tangential_dashpot_.add(on.dashpot, on.dashpot_torque, passage);
-                              if (!rolling_torque_.empty())
-                                rolling_.add({}, rolling_torque_[i], passage);
-                              if (!normal_dashpot_force_.empty())
-                                normal_dashpot_.add(normal_dashpot_force_[i], {}, passage);
-                              if (moves) {
-                                sums_.end_step(forces_on(i, turns), passage);
-                                if (!turns) sums_.external.add({}, -on.torque, passage);
-                              } else {
-                                // What leads a particle gives to the others.
-                                sums_.friction.add(on.friction, on.torque, passage);
-                                sums_.external.add(-on.force, -on.torque, passage);
-                              }
-                            };
-  for (int i = 0; i < atom->nlocal; i++) {
+  const double factor = mobile_.inertia_factor(lmp_->domain->dimension);
+  std::vector<Passage> passages;
+  for (int i = 0; i < particles_; i++) {
     const int mask = atom->mask[i];
-    const bool moves = mobile.moves(mask), turns = moves && !mobile.is_not_turned(mask);
-    const Vector3 velocity = vector(atom->v[i]), spin = vector(atom->omega[i]);
-    if (!is_read_) {
-      add_work(i, moves, turns, Passage::without_output(velocity, spin, half));
-      continue;
-    }
-    const double inverse_mass = moves ? 1.0 / atom->rmass[i] : 0.0;
+    const double inverse_mass = mobile_.moves(mask) ? 1.0 / atom->rmass[i] : 0.0;
     const double inverse_inertia =
-        turns ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
-    add_work(i, moves, turns,
-             make_passage(velocity, half * inverse_mass * vector(atom->f[i]), spin,
-                          half * inverse_inertia * vector(atom->torque[i]), half));
-    if (moves && !starts)
-      sums_.store_motion(forces_on(i, turns), inverse_mass, inverse_inertia, half);
+        mobile_.is_free(mask) ? inverse_mass / (factor * atom->radius[i] * atom->radius[i]) : 0.0;
+    const ForcesAtLevel forces = forces_on(i, atom->rmass[i] * gravity.on(mask));
+    passages.push_back(make_passage(vector(atom->v[i]), half * inverse_mass * forces.all,
+                                    vector(atom->omega[i]),
+                                    half * inverse_inertia * vector(atom->torque[i]), half));
+    add_external_work(i, forces, passages.back());
+    if (inverse_mass > 0.0 && !starts)
+      sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
+  const Passage times = make_passage({}, {}, {}, {}, half);
+  add_work(
+      powers([&](int i) { return Motion{passages[i].velocity, passages[i].spin}; }), times.length,
+      powers([&](int i) { return Motion{passages[i].velocity_after, passages[i].spin_after}; }),
+      times.after);
+}
+
+/// `before` [time]: how much of the step before the time level counts.
+void ModelEnergyTally::add_work_of_walls(double before) {
+  const double half = 0.5 * lmp_->update->dt;
   const auto add = [&](WorkOfForces& work, double power) {
     work.add(before * power, half * power);
   };

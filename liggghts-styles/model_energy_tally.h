@@ -2,9 +2,9 @@
 #ifndef COHESION_MODEL_ENERGY_TALLY_H
 #define COHESION_MODEL_ENERGY_TALLY_H
 
+#include <cstddef>
 #include <vector>
 
-#include "contact/sampled_energies.h"
 #include "contact_interface.h"
 #include "contact_solver/energy_sums.h"
 #include "energy_tally.h"
@@ -19,6 +19,7 @@ struct OtherModels {
   int displacement = -1;  ///< where the contact keeps that of the tangential spring; negative: none
   int rolling = -1;       ///< where it keeps the torque of the rolling spring; negative: none
   bool rolls = false;     ///< whether there is rolling friction
+  double exponent = 1.0;  ///< p of F ~ x^p of the normal spring
 };
 
 /// The energies of the contacts of this process, for compute gran/energy. The models add each
@@ -30,30 +31,31 @@ class ModelEnergyTally {
   /// Whether an output reads this time level. What contacts store is known only there.
   bool is_read() const { return is_read_; }
 
-  /// Adds a contact of which spring and dashpot are sampled, with the energy of its adhesion.
-  void add_sampled(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
+  /// Adds the forces of a contact that touches, as the engine's models, those of this package
+  /// included, have computed them. of_normal: what its normal motion loses by an energy account;
+  /// null: it is sampled.
+  void add(const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
+           const ContactModels::ForceData& on_j, const OtherModels&,
+           const cohesion::contact_solver::ContactEnergies* of_normal);
+  /// Adds what it stores, at a time level that an output reads. stored: of its normal motion.
+  void store(const ContactModels::SurfacesIntersectData&, const OtherModels&,
+             cohesion::contact_solver::StoredEnergies stored);
+  void store_sampled(const ContactModels::SurfacesIntersectData&, const OtherModels&,
+                     double adhesion);
+  /// Adds a contact across a gap.
+  void add_sampled(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
                    double adhesion);
-  /// Adds a contact with an energy account: what its normal motion stores and loses. The rest is of
-  /// friction and rolling friction.
-  void add_exact(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
-                 const cohesion::contact_solver::ContactEnergies& of_normal);
-
-  /// The same of contacts that touch, as the engine's models, those of this package included, have
-  /// computed them.
-  void add_sampled(const ContactModels::SurfacesIntersectData&,
-                   const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
-                   double exponent, const OtherModels&, double adhesion);
-  void add_exact(const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
-                 const ContactModels::ForceData& on_j, const OtherModels&,
+  void add_exact(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
                  const cohesion::contact_solver::ContactEnergies& of_normal);
 
   /// Before and after the engine has computed all pairs, which add their forces in between.
   void begin_pairs() { add_engine_forces(-1.0); }
   void end_pairs() { add_engine_forces(1.0); }
 
-  /// Before the forces of a step, or of the set-up of a run, which is always read.
+  /// Before the forces of a step, or of the set-up of a run, which is always read. others_act:
+  /// whether anything but contacts and gravity exerts forces in this run.
   void begin_step(bool is_read);
-  void begin_set_up();
+  void begin_set_up(bool others_act);
   void end_step();
   /// starts: energy accounts begin anew; known: the tally has the energies of the time level from
   /// the last step, of contacts that repeat their force.
@@ -67,40 +69,67 @@ class ModelEnergyTally {
   void restore_totals(const double* values);
 
  private:
-  /// What contacts do to a particle.
-  struct OnParticle {
-    cohesion::Vector3 force, torque;            // all of it
-    cohesion::Vector3 friction;                 // of the tangential spring, dashpot and slider
-    cohesion::Vector3 dashpot, dashpot_torque;  // of the tangential dashpot
-  };
+  using Vector3 = cohesion::Vector3;
   using WorkOfForces = cohesion::contact_solver::WorkOfForces;
+  using ForcesAtLevel = cohesion::contact_solver::ForcesAtLevel;
+
+  /// A contact of this step: its work depends on the velocities after the step.
+  struct Touching {
+    int i, j;  ///< j < 0: a wall, or a particle of another process
+    Vector3 normal, force, slip;
+    double lever_i, lever_j;
+    double damping;         ///< of the tangential dashpot; 0 where it slides
+    double normal_dashpot;  ///< force of that of a sampled contact
+  };
+  struct Motion {
+    Vector3 velocity, spin;
+  };
+  /// [energy/time].
+  struct Powers {
+    double friction = 0.0;  ///< of the tangential spring, dashpot and slider
+    double tangential_dashpot = 0.0, normal_dashpot = 0.0, rolling = 0.0;
+  };
+  struct ForceAndTorque {
+    Vector3 force, torque;
+  };
 
   void clear();
-  void add_of_sampled(const ContactModels::SurfacesCloseData&,
-                      const cohesion::contact::ContactSample&, double adhesion);
-  void add_of_exact(const ContactModels::SurfacesCloseData&,
-                    const cohesion::contact::ContactSample&,
-                    const cohesion::contact_solver::ContactEnergies& of_normal);
-  void add_forces(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&);
-  void add_rolling(const ContactModels::SurfacesCloseData&,
-                   const cohesion::contact::ContactSample&);
-  void add_normal_dashpot(const ContactModels::SurfacesCloseData&,
-                          const cohesion::Vector3& dashpot);
-  void add_wall(const ContactModels::SurfacesCloseData&, const cohesion::contact::ContactSample&,
-                const cohesion::Vector3& dashpot);
+  [[gnu::noinline, gnu::cold]] void grow_and_add(
+      const ContactModels::SurfacesIntersectData&, const ContactModels::ForceData& on_i,
+      const ContactModels::ForceData& on_j, const OtherModels&,
+      const cohesion::contact_solver::ContactEnergies* of_normal);
+  [[gnu::noinline]] void add_rare(const ContactModels::SurfacesIntersectData&,
+                                  const ContactModels::ForceData& on_i,
+                                  const ContactModels::ForceData& on_j, bool rolls);
+  void add_rolling(const ContactModels::SurfacesIntersectData&,
+                   const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
+                   const Touching&);
+  void add_wall(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i);
+  void add_wall(const ContactModels::SurfacesCloseData&, const ContactModels::ForceData& on_i,
+                const Touching&);
   void add_engine_forces(double factor);
   bool is_own_pair(const ContactModels::SurfacesCloseData& d) const {
-    return !d.is_wall && d.j < lmp_->atom->nlocal;
+    return !d.is_wall && d.j < particles_;
   }
   double owned_fraction(const ContactModels::SurfacesCloseData&) const;
+  template <class MotionOf>
+  Powers powers(MotionOf motion_of) const;
+  void add_work(const Powers&, double length, const Powers& after_level, double after);
+  ForcesAtLevel forces_on(int i, const Vector3& weight) const;
+  void add_external_work(int i, const ForcesAtLevel&, const cohesion::contact_solver::Passage&);
+  void end_unread();
   template <class MakePassage>
-  void end(MakePassage make_passage, double before, bool starts);
+  void end_read(MakePassage make_passage, bool starts);
+  void add_work_of_walls(double before);
   void add_so_far(double factor, double* entries) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
-  std::vector<OnParticle> on_;
-  std::vector<cohesion::Vector3> rolling_torque_;        // against rolling, on each particle
-  std::vector<cohesion::Vector3> normal_dashpot_force_;  // of sampled contacts, on each particle
+  IntegratedParticles mobile_{lmp_};
+  int particles_ = 0;               // of this process
+  std::vector<Touching> touching_;  // the first contacts_ of them
+  std::size_t contacts_ = 0;
+  std::vector<Vector3> rolling_torque_;      // against rolling, on each particle
+  std::vector<ForceAndTorque> of_contacts_;  // on each particle; unused where no others act
   cohesion::contact_solver::EnergySums sums_;
   // Of normal springs and adhesion of sampled contacts; as a set-up begins, of others.
   cohesion::contact_solver::StoredEnergies sampled_{}, last_{};
@@ -109,6 +138,7 @@ class ModelEnergyTally {
   double wall_all_ = 0.0, wall_friction_ = 0.0, wall_normal_dashpot_ = 0.0,
          wall_tangential_dashpot_ = 0.0;
   bool is_read_ = true;
+  bool others_act_ = true;
   bool begun_ = false;
   double before_[cohesion::energy_tally::ENTRIES] = {};  // what there was when the tally began
 };

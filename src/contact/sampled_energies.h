@@ -1,54 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "vector3.h"
 
 /// Energies of contacts of an engine that computes one force per contact and step, at the time
 /// level, from the velocities of half a step before it.
 namespace cohesion::contact {
 
-/// One contact at the time level, as the engine's models give it.
-struct ContactSample {
-  Vector3 normal;           ///< from j, or the wall, to i
-  double overlap = 0.0;     ///< x, [length]; negative: gap
-  double stiffness = 0.0;   ///< F/x of the normal spring, [force/length]
-  double exponent = 1.0;    ///< p of F ~ x^p, [1]
-  double repulsion = 0.0;   ///< of normal spring and dashpot, [force]
-  double attraction = 0.0;  ///< of the adhesion, [force]
+/// The energy c x^(p+1)/(p+1) of a spring of force F = c x^p at the overlap x [length] with
+/// `stiffness` F/x [force/length] and `exponent` p, [energy].
+inline double normal_spring_energy(double overlap, double stiffness, double exponent) {
+  return overlap > 0.0 ? stiffness * overlap * overlap / (exponent + 1.0) : 0.0;
+}
 
-  Vector3 tangential;                 ///< on i, in the plane of contact, [force]
-  Vector3 slip;                       ///< velocity of i's surface against j's in it
-  Vector3 displacement;               ///< s of the tangential spring, [length]
-  double tangential_stiffness = 0.0;  ///< [force/length]
-  double tangential_damping = 0.0;    ///< [mass/time]
-  double lever_i = 0.0;               ///< from the centre to the plane of contact, [length]
-  double lever_j = 0.0;               ///< [length]
+/// The force of the normal dashpot: what of the `repulsion` of both the spring is not, [force].
+inline double normal_dashpot(double repulsion, double overlap, double stiffness) {
+  return repulsion - (overlap > 0.0 ? stiffness * overlap : 0.0);
+}
 
-  bool rolls = false;            ///< whether there is rolling friction
-  Vector3 rolling_i, rolling_j;  ///< torques but those of the tangential force, [force length]
-  double rolling_energy = 0.0;   ///< of what is stored in them, [energy]
+inline double tangential_spring_energy(const Vector3& displacement, double stiffness) {
+  return 0.5 * stiffness * dot(displacement, displacement);
+}
 
-  Vector3 force_on_i() const { return (repulsion - attraction) * normal + tangential; }
-  /// c x^(p+1)/(p+1) of F = c x^p.
-  double spring_energy() const {
-    return overlap > 0.0 ? stiffness * overlap * overlap / (exponent + 1.0) : 0.0;
-  }
-  double tangential_spring_energy() const {
-    return 0.5 * tangential_stiffness * dot(displacement, displacement);
-  }
-  /// Force of the normal dashpot on i.
-  Vector3 normal_dashpot() const {
-    return (repulsion - (overlap > 0.0 ? stiffness * overlap : 0.0)) * normal;
-  }
-  /// Force of the tangential dashpot on i; zero in a contact that slides, whose Coulomb force has
-  /// no dashpot. A contact sticks where the tangential force equals the sum of spring and dashpot
-  /// within 1e-6 of the dashpot, which is well above rounding.
-  Vector3 tangential_dashpot() const {
-    const Vector3 dashpot = -tangential_damping * slip;
-    const Vector3 rest = tangential + tangential_stiffness * displacement - dashpot;
-    return dot(rest, rest) <= 1e-12 * dot(dashpot, dashpot) ? dashpot : Vector3{};
-  }
-};
+/// The damping [mass/time] of the tangential dashpot, or 0 in a contact that slides, whose Coulomb
+/// force has no dashpot. `force`: on i, of which the part along the normal does not matter;
+/// `spring`: that of the tangential spring; `slip`: velocity of i's surface against j's in the
+/// plane of contact. A contact sticks where the force equals the sum of spring and dashpot within
+/// 1e-6 of the dashpot, which is well above rounding.
+inline double acting_damping(const Vector3& force, const Vector3& spring, double damping,
+                             const Vector3& slip) {
+  const double power = damping * dot(slip, slip);
+  return std::abs(dot(force - spring, slip) + power) <= 1e-6 * power ? damping : 0.0;
+}
 
 /// The energy T^2/(2 K_r R^2) of a rolling spring of stiffness `stiffness` K_r [force/length] and
 /// lever R [length] that carries `torque` T [force length], [energy].

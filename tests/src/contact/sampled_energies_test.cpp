@@ -10,41 +10,25 @@ namespace {
 
 TEST(SampledEnergies, SpringIsTheWorkOfItsForce) {
   for (const double p : {1.0, 1.5}) {
-    ContactSample c;
-    c.overlap = 2e-6;
-    c.exponent = p;
-    c.stiffness = 800.0;
     // c x^(p+1)/(p+1), c = K x^(1-p).
-    EXPECT_DOUBLE_EQ(c.spring_energy(), 800.0 * 2e-6 * 2e-6 / (p + 1.0));
-    c.overlap = -2e-6;
-    EXPECT_EQ(c.spring_energy(), 0.0);
+    EXPECT_DOUBLE_EQ(normal_spring_energy(2e-6, 800.0, p), 800.0 * 2e-6 * 2e-6 / (p + 1.0));
+    EXPECT_EQ(normal_spring_energy(-2e-6, 800.0, p), 0.0);
   }
+  EXPECT_DOUBLE_EQ(tangential_spring_energy({0.0, 1e-7, 2e-7}, 300.0), 150.0 * 5e-14);
 }
 
 TEST(SampledEnergies, NormalDashpotIsWhatTheSpringIsNot) {
-  ContactSample c;
-  c.normal = {0.6, 0.0, 0.8};
-  c.overlap = 1e-6;
-  c.stiffness = 800.0;
-  c.repulsion = 900e-6;
-  EXPECT_NEAR(dot(c.normal_dashpot(), c.normal), 100e-6, 1e-15);
-  c.overlap = -1e-6;  // of a pair at a gap
-  c.repulsion = 0.0;
-  EXPECT_EQ(dot(c.normal_dashpot(), c.normal), 0.0);
+  EXPECT_NEAR(normal_dashpot(900e-6, 1e-6, 800.0), 100e-6, 1e-15);
+  EXPECT_EQ(normal_dashpot(0.0, -1e-6, 800.0), 0.0);  // of a pair at a gap
 }
 
 TEST(SampledEnergies, TangentialDashpotActsWhereTheContactSticks) {
-  ContactSample c;
-  c.normal = {1.0, 0.0, 0.0};
-  c.slip = {0.0, 0.02, -0.01};
-  c.displacement = {0.0, 1e-7, 2e-7};
-  c.tangential_stiffness = 300.0;
-  c.tangential_damping = 4e-4;
-  c.tangential = -300.0 * c.displacement - 4e-4 * c.slip;
-  EXPECT_NEAR(norm(c.tangential_dashpot() + 4e-4 * c.slip), 0.0, 1e-18);
-  EXPECT_DOUBLE_EQ(c.tangential_spring_energy(), 150.0 * 5e-14);
-  c.tangential = -300.0 * c.displacement;  // at the Coulomb limit
-  EXPECT_EQ(norm(c.tangential_dashpot()), 0.0);
+  const Vector3 normal{1.0, 0.0, 0.0}, slip{0.0, 0.02, -0.01};
+  const Vector3 spring = -300.0 * Vector3{0.0, 1e-7, 2e-7};
+  const Vector3 sticking = spring - 4e-4 * slip;
+  EXPECT_EQ(acting_damping(sticking, spring, 4e-4, slip), 4e-4);
+  EXPECT_EQ(acting_damping(sticking + 2e-3 * normal, spring, 4e-4, slip), 4e-4);
+  EXPECT_EQ(acting_damping(spring, spring, 4e-4, slip), 0.0);  // at the Coulomb limit
 }
 
 TEST(SampledEnergies, RollingSpring) {
