@@ -31,8 +31,7 @@ def energy(engine, law, gas, contact, division, collisions):
     (restitution, friction)."""
     (fraction, constant, speed), (restitution, friction) = gas, contact
     elastic = restitution == 1 and friction == 0 and law != "jkr"
-    quantity = "energy balance" if law == "linear" else (
-        f"{'drift of the energy balance' if elastic else 'energy balance over the loss'} after {collisions:g} collisions")
-    return {"quantity": quantity, "engine": engine, "scheme": "exact", "law": law, "solid fraction": f"{fraction:g}",
-            "A [J]": f"{constant:g}", "speed [m/s]": "" if law == "linear" else f"{speed:g}",
+    kind = "drift of the energy balance" if elastic else "energy balance over the loss"
+    return {"quantity": f"{kind} after {collisions:g} collisions", "engine": engine, "scheme": "exact", "law": law,
+            "solid fraction": f"{fraction:g}", "A [J]": f"{constant:g}", "speed [m/s]": f"{speed:g}",
             "restitution": f"{restitution:g}", "friction": f"{friction:g}", "step": f"t_c/{division:g}"}
