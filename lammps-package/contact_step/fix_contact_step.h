@@ -8,14 +8,17 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #ifndef LMP_FIX_CONTACT_STEP_H
 #define LMP_FIX_CONTACT_STEP_H
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "atom.h"
+#include "contact/contact_parameters.h"
 #include "contact_solver/energy_sums.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_solver/pair_motion.h"
+#include "contact_step/advised_style.h"
 #include "contact_step/altered_particles.h"
 #include "contact_step/contact_impulses.h"
 #include "contact_step/soft_contact_style.h"
@@ -24,9 +27,12 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #include "engine/mobile_particles.h"
 #include "fix.h"
 #include "outputs/contact_energy_tally.h"
-#include "soft_contacts/contact_advice.h"
 
 namespace LAMMPS_NS {
+
+template <class Engine>
+class ContactWatch;
+struct LammpsRun;
 
 /// Radii and inverse masses of particles and ghosts.
 struct Bodies {
@@ -207,7 +213,7 @@ class FixContactStep : public Fix {
 
   std::vector<SoftContactStyle*> styles;  // those of this run
   std::vector<AdvisedStyle*> advised;     // the same
-  LammpsWatch watch;
+  std::unique_ptr<ContactWatch<LammpsRun> > watch;
 
   char* forwarded_flags;     // per atom and ghost: whether it has values to forward
   double* forwarded_values;  // of particle 0; `values_each` per particle, one after the other

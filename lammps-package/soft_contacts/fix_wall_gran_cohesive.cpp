@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "advice/warning_filter.h"
 #include "atom.h"
 #include "comm.h"
 #include "common/message.h"
@@ -15,7 +16,6 @@
 #include "engine/largest_radii.h"
 #include "engine/particles_at_walls.h"
 #include "error.h"
-#include "input/sticking_rules_of_law.h"
 #include "input/walls_from_script.h"
 #include "neighbor.h"
 #include "soft_contacts/cohesion_laws.h"
@@ -29,6 +29,7 @@ template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
     : FixWithWallHistory(lammps, narg, arg),
       where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
+      advice_filter(std::make_unique<cohesion::advice::WarningFilter>()),
       scheme(Scheme::exact),
       law(attraction.no_law()),
       per_wall(HistorySize::normal_only),
@@ -155,40 +156,6 @@ void FixWallGranCohesive<Cohesion>::post_force(int) {
     forces.clear();
     with_contacts([this](auto& shared, auto size) { compute_contacts<size>(shared); });
   });
-}
-
-template <class Cohesion>
-cohesion::advice::StickingRules FixWallGranCohesive<Cohesion>::sticking_rules() const {
-  auto rules = sticking_rules_of_law<Cohesion>(where, scheme);
-  rules.meant_without = has_adhesion_word;
-  add_contact<Cohesion>(rules, Cohesion::template of_wall<cohesion::contact::Adhesion>(law, 1.0),
-                        parameters, parameters.contact);
-  return rules;
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::give_advice(const RunConditions& of_all, AdviceOfStyles& all) {
-  const RunConditions now = of_group(lmp, of_all, groupbit);
-  const auto advised = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
-  all.add(style, id,
-          advice_of_contacts(lmp, where, limits_of(scheme), advised, now, advice_filter));
-}
-
-template <class Cohesion>
-std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
-    const std::vector<LightestParticle>& lightest) const {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<AdvisedContact> advised;
-  for (int type = 1; type <= atom->ntypes; type++) {
-    if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
-    advised.push_back(advised_contact(
-        fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
-        Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
-    advised.back().material = Cohesion::material(parameters);
-    advised.back().material_words = Cohesion::material_words(parameters.contact);
-    advised.back().doubt = Cohesion::doubt(lmp, parameters);
-  }
-  return advised;
 }
 
 template <class Cohesion>

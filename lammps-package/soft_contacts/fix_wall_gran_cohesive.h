@@ -2,6 +2,7 @@
 #ifndef LMP_FIX_WALL_GRAN_COHESIVE_H
 #define LMP_FIX_WALL_GRAN_COHESIVE_H
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,13 +11,13 @@
 #include "common/guarded.h"
 #include "contact_solver/exact_contact.h"
 #include "contact_solver/wall.h"
+#include "contact_step/advised_style.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"
 #include "engine/region_faces.h"
 #include "fix.h"
 #include "input/cohesive_contact_from_script.h"
 #include "sampled_contact/sampled_contact.h"
-#include "soft_contacts/contact_advice.h"
 #include "soft_contacts/wall_forces.h"
 #include "soft_contacts/wall_history.h"
 #include "update.h"
@@ -42,7 +43,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   bool is_exact_scheme() const override { return scheme == Scheme::exact; }
   cohesion::advice::StickingRules sticking_rules() const override;
   void continue_run() override;
-  void give_advice(const RunConditions&, AdviceOfStyles&) override;
+  void give_advice(const cohesion::advice::RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
@@ -97,7 +98,8 @@ class FixWallGranCohesive : public FixWithWallHistory,
   void compute_contacts(std::vector<Contact>&);
   template <int SIZE, class Contact>
   void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, const Near&);
-  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+  std::vector<cohesion::advice::AdvisedContact> advised_contacts(
+      const std::vector<cohesion::advice::LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
     guarded(lmp, where, [&] {
@@ -115,7 +117,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   }
 
   std::string where;  // in front of messages
-  cohesion::advice::WarningFilter advice_filter;
+  std::unique_ptr<cohesion::advice::WarningFilter> advice_filter;
   Scheme scheme;
   bool has_adhesion_word = false;
   Cohesion attraction;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/contact_advice.h"
 #include "atom.h"
 #include "common/message.h"
 #include "contact_solver/wall.h"

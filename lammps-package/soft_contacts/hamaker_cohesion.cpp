@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "soft_contacts/hamaker_cohesion.h"
 
+#include "advice/known_materials.h"
+#include "common/plausible_sizes.h"
 #include "input/hamaker_keywords.h"
 #include "input/material_keywords.h"
 
@@ -50,6 +52,10 @@ void HamakerCohesion::set(LAMMPS* lmp, const std::string& where, const std::stri
 
 const char* HamakerCohesion::material_words(const cohesion::contact::ContactParameters& contact) {
   return LAMMPS_NS::material_words(contact);
+}
+
+std::string HamakerCohesion::doubt(const LAMMPS* lmp, const Parameters& p) {
+  return cohesion::advice::above_hamaker_constants(p.hamaker.hamaker_constant, si_units(lmp));
 }
 
 Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) {

@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "advice/known_materials.h"
 #include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
@@ -58,9 +57,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
 
   static cohesion::advice::Material material(const Parameters& p) { return p.material; }
   static const char* material_words(const cohesion::contact::ContactParameters&);
-  static std::string doubt(const LAMMPS* lmp, const Parameters& p) {
-    return cohesion::advice::above_hamaker_constants(p.hamaker.hamaker_constant, si_units(lmp));
-  }
+  static std::string doubt(const LAMMPS*, const Parameters&);
   /// With the adhesion scaled to the stiffness when that is wished; what was done is printed, where
   /// it is not what was printed last of `where`.
   Parameters scaled(LAMMPS*, const std::string& where, Parameters);

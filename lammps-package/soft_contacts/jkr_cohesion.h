@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/known_materials.h"
 #include "contact/jkr_spring_dashpot.h"
 #include "contact_solver/jkr_solver.h"
 #include "input/material_keywords.h"

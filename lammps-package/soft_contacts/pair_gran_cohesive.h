@@ -4,17 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "common/bound_pairs.h"
 #include "contact_solver/exact_contact.h"
+#include "contact_step/advised_style.h"
 #include "contact_step/close_pairs.h"
 #include "contact_step/contact_forces.h"
 #include "input/cohesive_coefficients.h"
 #include "pair.h"
 #include "sampled_contact/sampled_contact.h"
-#include "soft_contacts/contact_advice.h"
 #include "soft_contacts/pair_history.h"
 #include "update.h"
 
@@ -86,13 +87,11 @@ class PairGranCohesive : public Pair,
   bool is_exact_scheme() const override {
     return is_active && coefficients.scheme() == Scheme::exact;
   }
-  cohesion::advice::StickingRules sticking_rules() const override {
-    return coefficients.sticking_rules(atom->ntypes);
-  }
+  cohesion::advice::StickingRules sticking_rules() const override;
   bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
   void continue_run() override;
   void renumber(const Renumbering& renumbering) override { history.renumber(renumbering); }
-  void give_advice(const RunConditions&, AdviceOfStyles&) override;
+  void give_advice(const cohesion::advice::RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);
   }
@@ -161,10 +160,11 @@ class PairGranCohesive : public Pair,
   void repeat_forces();
   template <class What>
   void for_each_with_history(const What&);
-  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+  std::vector<cohesion::advice::AdvisedContact> advised_contacts(
+      const std::vector<cohesion::advice::LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
-  cohesion::advice::WarningFilter advice_filter;
+  std::unique_ptr<cohesion::advice::WarningFilter> advice_filter;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   ClosePairs close_pairs;                               // pairs that may touch in a step
