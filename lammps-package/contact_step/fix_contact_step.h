@@ -20,13 +20,13 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #include "contact_solver/pair_motion.h"
 #include "contact_step/advised_style.h"
 #include "contact_step/altered_particles.h"
+#include "contact_step/contact_energy_tally.h"
 #include "contact_step/contact_impulses.h"
 #include "contact_step/soft_contact_style.h"
 #include "domain.h"
 #include "engine/atom_numbers.h"
 #include "engine/mobile_particles.h"
 #include "fix.h"
-#include "outputs/contact_energy_tally.h"
 
 namespace LAMMPS_NS {
 

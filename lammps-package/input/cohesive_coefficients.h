@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "advice/stiffness_scaling.h"
 #include "comm.h"
+#include "contact/stiffness_scaling.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/turning.h"
 #include "input/cohesive_contact_from_script.h"
@@ -92,7 +92,7 @@ class CohesiveCoefficients : protected Pointers {
   const cohesion::contact::ContactParameters& contact(int pair_index) const {
     return contacts_[pair_index];
   }
-  cohesion::advice::Material material(int pair_index) const {
+  cohesion::contact::Material material(int pair_index) const {
     return Cohesion::material(parameters_[pair_index]);
   }
   std::string doubt(int pair_index) const { return Cohesion::doubt(lmp, parameters_[pair_index]); }

@@ -31,7 +31,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   struct HamakerContact {
     cohesion::contact::ContactParameters contact;
     cohesion::hamaker::HamakerParameters hamaker = cohesion::hamaker::none;
-    cohesion::advice::Material material;
+    cohesion::contact::Material material;
   };
   using Parameters = HamakerContact;
   using Law = cohesion::hamaker::AnyLaw;
@@ -41,7 +41,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
                             const SpecifiedKeywords& given);
-  /// With advice::mixed, and throws as that.
+  /// With contact::mixed, and throws as that.
   static Parameters mixed(const Parameters&, const Parameters&);
   static double range(Scheme, const Parameters&, double radius_i, double radius_j);
 
@@ -55,7 +55,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   int settings() const { return static_cast<int>(form_ - cohesion::hamaker::forms.data()); }
   void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
 
-  static cohesion::advice::Material material(const Parameters& p) { return p.material; }
+  static cohesion::contact::Material material(const Parameters& p) { return p.material; }
   static const char* material_words(const cohesion::contact::ContactParameters&);
   static std::string doubt(const LAMMPS*, const Parameters&);
   /// With the adhesion scaled to the stiffness when that is wished; what was done is printed, where

@@ -33,6 +33,9 @@ namespace cohesion::contact_solver {
 /// Source: derived here, see docs/theory/exact_contacts.md.
 class ContactSolver : public PairCourse {
  public:
+  /// Whether no force acts on pairs in range that are clear of contact and edge: is_clear().
+  static constexpr bool may_be_idle = false;
+
   /// contact_distance [length]: of the centres at touch, or the radius next to a wall; step [time].
   ContactSolver(const contact::NormalLaw& law, const contact::Adhesion& adhesion,
                 double contact_distance, double step)

@@ -11,7 +11,6 @@
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/normal_energies.h"
-#include "contact_solver/square_well_solver.h"
 
 namespace cohesion::contact_solver {
 
@@ -86,7 +85,7 @@ class ExactContact {
   template <class Motion>
   [[gnu::always_inline]] bool is_idle(const Motion& motion, const double* values,
                                       double flown) const {
-    if constexpr (std::is_base_of_v<SquareWellSolver, Solver>) {
+    if constexpr (Solver::may_be_idle) {
       if (!ContactState::is_idle(values)) return false;
       const RelativeState now = motion.relative();
       return solver_.is_clear(dot(now.separation, now.separation),

@@ -6,7 +6,8 @@
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/pair_motion.h"
-#include "contact_solver/pair_step.h"
+#include "contact_solver/relative_state.h"
+#include "sampled_contact/sampled_pair.h"
 
 namespace cohesion::sampled_contact {
 

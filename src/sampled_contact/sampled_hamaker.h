@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact_solver/pair_step.h"
+#include "contact_solver/relative_state.h"
 #include "hamaker/forms.h"
 #include "sampled_contact/sampled_pair.h"
 #include "sphere.h"
