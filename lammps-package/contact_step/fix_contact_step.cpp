@@ -277,7 +277,7 @@ void FixContactStep::advise_if_due(bool setup) {
 bool FixContactStep::begin_step() {
   if (!step_due) return false;
   step_due = false;
-  before_dt = forces_dt;
+  last_dt = forces_dt;
   forces_dt = update->dt;
   update_particles();
   update_readers();

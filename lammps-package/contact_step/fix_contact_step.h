@@ -126,8 +126,8 @@ class FixContactStep : public Fix {
   /// Length of the step, [time].
   double length() const;
   /// Length of the last step, [time], and whether it differs.
-  double last_length() const { return before_dt; }
-  bool has_other_length() const { return before_dt != length(); }
+  double last_length() const { return last_dt; }
+  bool has_other_length() const { return last_dt != length(); }
   /// Length of the step with which the current forces of contacts were computed, [time].
   double forces_length() const { return forces_dt; }
   /// Acceleration of j relative to i by the forces of the last step without impulses,
@@ -229,9 +229,9 @@ class FixContactStep : public Fix {
   bool warned_of_unmoved = false;
   std::set<std::string> warned_of_walls;  // texts of the warnings so far
   AlteredParticles altered;
-  double forces_dt;                   // step of the current forces; 0 before the first
+  double forces_dt;                   // forces_length(); 0 before the first step
   AtomNumbers last;                   // between two runs: save_last()
-  double before_dt = 0.0;             // last step
+  double last_dt = 0.0;               // last_length()
   AtomNumbers accelerations;          // of atoms and ghosts, by the forces of the last step
   double largest_acceleration = 0.0;  // of these
   bool step_due = false;              // begin_step()

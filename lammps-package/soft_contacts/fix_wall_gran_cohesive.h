@@ -92,6 +92,9 @@ class FixWallGranCohesive : public FixWithWallHistory,
   void continue_around_open_edges(int i, const WallState&);
   void check_curvature(int i, double range);
   void warn_of_particles();
+  void select_particles(const WallState&, double flight, bool new_list);
+  bool may_touch(int i, int face, const WallState&, double flight, double range);
+  Near near_face(int i, int face, const WallState&) const;
   template <class What>
   void for_each_near(const What&);
   template <int SIZE, class Contact>
@@ -143,7 +146,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   std::vector<int> beside;  // particles that may touch a wall
   long radii_version = -1;  // at the time of this search
   double travelled;         // upper bound of a displacement since then, [length]
-  FixContactStep* step;
+  FixContactStep* contact_step;
 
   WallForces forces;
 };
@@ -152,9 +155,9 @@ class FixWallGranCohesive : public FixWithWallHistory,
 template <class Cohesion>
 template <class Contact>
 inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
-  const cohesion::contact_solver::Body particle = step->body(i), wall{0.0, 0.0};
+  const cohesion::contact_solver::Body particle = contact_step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().is_between(particle, wall))
-    shared.push_back(step->contact<Contact>(
+    shared.push_back(contact_step->contact<Contact>(
         parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
         wall));
@@ -178,7 +181,7 @@ inline void FixWallGranCohesive<Cohesion>::find_points(const cohesion::Vector3& 
 template <class Cohesion>
 cohesion::contact_solver::WallState FixWallGranCohesive<Cohesion>::state() const {
   const double half = 0.5 * update->dt;
-  return course.over({step->starts() ? 0.0 : half, half});
+  return course.over({contact_step->starts() ? 0.0 : half, half});
 }
 
 }  // namespace LAMMPS_NS

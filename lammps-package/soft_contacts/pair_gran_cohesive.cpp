@@ -36,7 +36,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       needs_list(true),
       history_stale(false),
       per_pair(0),
-      step(nullptr),
+      contact_step(nullptr),
       history(lammps, Cohesion::STYLE) {
   single_enable = 1;
   restartinfo = 1;
@@ -79,7 +79,7 @@ void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR,
                coefficients.message_prefix() + " acts between spheres; use 'atom_style sphere'");
-  step = FixContactStep::of(lmp);
+  contact_step = FixContactStep::of(lmp);
   // pair_style hybrid of several versions of the engine copies these numbers beyond their end.
   if (force->pair == this && single_extra == 0) {
     svector = new double[SINGLE_EXTRA];

@@ -123,7 +123,7 @@ class PairGranCohesive : public Pair,
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>
-  int contact(Contacts<Contact>&, const StaggeredParticles&, int i, int j);
+  int contact_index(Contacts<Contact>&, const StaggeredParticles&, int i, int j);
   template <class Contact>
   int new_contact(Contacts<Contact>&, int pair_index, int i, int j);
   StaggeredParticles particles() const;
@@ -174,21 +174,21 @@ class PairGranCohesive : public Pair,
   bool needs_list;                                      // whether any pair is visited in this run
   bool history_stale;  // no contact was computed since, so histories are out of date
   int per_pair;        // values per history (HistorySize); 0: not allocated yet
-  class FixContactStep* step;
+  class FixContactStep* contact_step;
   PairHistory history;
   bool warned_of_flight = false;  // in this run
 };
 
 template <class Cohesion>
 inline StaggeredParticles PairGranCohesive<Cohesion>::particles() const {
-  return {atom->x[0], atom->v[0], atom->omega[0], atom->type, step->bodies()};
+  return {atom->x[0], atom->v[0], atom->omega[0], atom->type, contact_step->bodies()};
 }
 
-/// The contact of a pair; consecutive pairs of equal particles share one. NONE: no fix moves either
-/// particle.
+/// The index of the contact of a pair; consecutive pairs of equal particles share one. NONE: no fix
+/// moves either particle.
 template <class Cohesion>
 template <class Contact>
-[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
+[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact_index(
     Contacts<Contact>& contacts, const StaggeredParticles& particles, int i, int j) {
   const int types = coefficients.pair_index(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
@@ -203,12 +203,12 @@ template <class Contact>
 [[gnu::noinline]] int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts,
                                                               int pair_index, int i, int j) {
   if (!moves(i, j)) return Contacts<Contact>::NONE;
-  const cohesion::contact_solver::Body a = step->body(i), b = step->body(j);
+  const cohesion::contact_solver::Body a = contact_step->body(i), b = contact_step->body(j);
   contacts.all.push_back(
-      step->contact<Contact>(coefficients.contact(pair_index),
-                             coefficients.template attraction<typename Contact::Attraction>(
-                                 pair_index, a.radius, b.radius),
-                             a, b));
+      contact_step->contact<Contact>(coefficients.contact(pair_index),
+                                     coefficients.template attraction<typename Contact::Attraction>(
+                                         pair_index, a.radius, b.radius),
+                                     a, b));
   return contacts.last[pair_index] = static_cast<int>(contacts.all.size()) - 1;
 }
 
@@ -220,7 +220,7 @@ double PairGranCohesive<Cohesion>::distance(int i, int j) const {
 /// Pairs of two particles that no fix moves have no contact.
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
-  return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;
+  return contact_step->body(i).inverse_mass != 0.0 || contact_step->body(j).inverse_mass != 0.0;
 }
 
 }  // namespace LAMMPS_NS

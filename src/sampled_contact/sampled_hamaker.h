@@ -36,7 +36,7 @@ class SampledHamaker : public SampledPair {
   PairStep advance(const RelativeState& state, const StepWindow& window, bool) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.normal);
+    const SampledMotion now = sample(state, time, step.record);
     step.force = now.repulsion - attraction(now.overlap, true);
     step.velocity_change = (time * step.force / reduced_mass()) * now.normal;
     step.inside = -now.overlap < range();

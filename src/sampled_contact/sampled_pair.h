@@ -9,7 +9,7 @@ namespace cohesion::sampled_contact {
 struct PairStep {
   Vector3 velocity_change{};  ///< of the relative velocity, [length/time]
   double force = 0.0;         ///< along the normal, positive where it repels, [force]
-  NormalRecord normal{};
+  NormalRecord record{};
   bool inside = false;  ///< in the range of the adhesion at the end of the step
 };
 
