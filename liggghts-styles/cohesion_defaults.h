@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "advice/stiffness_scaling.h"
 #include "contact/normal_law.h"
+#include "contact/stiffness_scaling.h"
 #include "contact_interface.h"
 #include "normal_model_probe.h"
 #include "settings.h"
@@ -30,7 +30,7 @@ struct CohesionDefaults {
                                                   int, double, double) {
     return normal;
   }
-  static cohesion::advice::Material material(int, int) { return {}; }
+  static cohesion::contact::Material material(int, int) { return {}; }
   static std::string_view material_words(const NormalModelProbe&) { return ""; }
   static std::string doubt(int, int) { return ""; }
 };

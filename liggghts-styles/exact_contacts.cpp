@@ -220,7 +220,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
     set_normal_losses(*k->solver, solved, *energies);
     if (reads) set_normal_stored(*k->solver, solved, d.radsum, *energies);
   }
-  if (step.normal.unresolved) cut_short_->found(names(d));
+  if (step.record.unresolved) cut_short_->found(names(d));
   write(d, state, step);
   exclude_impulse(*k, d, normal, state);
   return true;
@@ -287,7 +287,7 @@ bool ExactContacts::repeat(const CachedContact& k, const ContactModels::Surfaces
   step = {};
   step.force = state.force;
   step.repulsion = history[REPULSION];
-  step.normal.contact_time = state.contact_time;
+  step.record.contact_time = state.contact_time;
   return true;
 }
 

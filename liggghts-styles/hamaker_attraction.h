@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "advice/known_materials.h"
-#include "advice/stiffness_scaling.h"
 #include "cohesion_defaults.h"
 #include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
+#include "contact/stiffness_scaling.h"
 #include "contact_range.h"
 #include "contact_solver/contact_solver.h"
 #include "encounter.h"
@@ -66,7 +66,7 @@ class HamakerAttraction : public CohesionDefaults {
   }
 
   /// Given where material_stiffness or material_modulus is on.
-  cohesion::advice::Material material(int itype, int jtype) const {
+  cohesion::contact::Material material(int itype, int jtype) const {
     return materials_.of(itype, jtype);
   }
   static std::string_view material_words(const NormalModelProbe& normal) {

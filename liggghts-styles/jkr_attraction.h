@@ -50,7 +50,7 @@ class JkrAttraction : public CohesionDefaults {
                                            int jtype, double ri, double rj) const;
 
   /// Given where material_modulus is on.
-  cohesion::advice::Material material(int itype, int jtype) const {
+  cohesion::contact::Material material(int itype, int jtype) const {
     return materials_.of(itype, jtype);
   }
   static std::string_view material_words(const NormalModelProbe& normal) {

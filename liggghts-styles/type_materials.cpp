@@ -47,7 +47,7 @@ void TypeMaterials::warn_if_unused(const char* property, const char* kind,
 
 /// One factor for a pair of types wants one spring for it.
 void TypeMaterials::require_spring(const NormalModelProbe& normal) const {
-  if (!has_stiffness_ && !has_modulus_ && keep_ == advice::Keep::force)
+  if (!has_stiffness_ && !has_modulus_ && keep_ == cohesion::contact::Keep::force)
     LAMMPS_NS::stop(lmp_, FLERR, who(),
                     ": material_keep force needs 'material_stiffness on' with fix property/global "
                     "materialStiffness, or with model hertz 'material_modulus on' with "
@@ -80,22 +80,22 @@ void TypeMaterials::connect(PropertyRegistry& registry, const NormalModelProbe& 
     warn_if_unused(modulus_property, "peratomtype", "material_modulus");
   }
   const auto of_type = [&](int type) {
-    advice::Material m;
+    cohesion::contact::Material m;
     m.keep = keep_;
-    m.exponent = advice::hertz_power;
+    m.exponent = cohesion::contact::hertz_power;
     cohesion::require_non_negative(modulus_property, material_modulus_[type]);
     if (material_modulus_[type] > 0.0)
-      advice::set_hertz(m, material_modulus_[type], poissons_ratio[type]);
+      cohesion::contact::set_hertz(m, material_modulus_[type], poissons_ratio[type]);
     return m;
   };
   const auto given = [this](int i, int j) { return shown(i, j); };
   materials_.fill(
       lmp_, model_, registry.max_type(),
       [&](int i, int j) {
-        if (has_modulus_) return advice::mixed(of_type(i), of_type(j));
-        if (!has_stiffness_) return advice::Material{};
+        if (has_modulus_) return cohesion::contact::mixed(of_type(i), of_type(j));
+        if (!has_stiffness_) return cohesion::contact::Material{};
         cohesion::require_non_negative(stiffness_property, material_stiffness_[i][j]);
-        return advice::Material{material_stiffness_[i][j], keep_};
+        return cohesion::contact::Material{material_stiffness_[i][j], keep_};
       },
       given);
   stiffnesses_.fill(

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 #include "normal_model_probe.h"
 #include "type_matrix.h"
 
@@ -25,19 +25,19 @@ class TypeMaterials {
   /// (peratomtype). What does not go with the normal model stops the engine.
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
-  cohesion::advice::Material of(int itype, int jtype) const { return materials_.of(itype, jtype); }
+  cohesion::contact::Material of(int itype, int jtype) const { return materials_.of(itype, jtype); }
   /// Behind what a message shows of a pair of types; empty: no material is given.
   std::string shown(int itype, int jtype) const;
   /// K or E* of the contact of two types.
   double stiffness(int itype, int jtype) const { return stiffnesses_.of(itype, jtype); }
   /// The adhesion of two types, scaled from the stiffness of the material to that of the contact
-  /// (advice::for_stiffness). Prints the scaling, once for both orders of the types.
+  /// (cohesion::contact::for_stiffness). Prints the scaling, once for both orders of the types.
   template <class Adhesion>
   Adhesion scaled(const Adhesion& real, int itype, int jtype) const {
-    const cohesion::advice::Material material = of(itype, jtype);
+    const cohesion::contact::Material material = of(itype, jtype);
     const double contact = stiffness(itype, jtype);
-    const Adhesion used = cohesion::advice::for_stiffness(contact, material, real);
-    print(itype, jtype, cohesion::advice::scaling_note(contact, material, real, used));
+    const Adhesion used = cohesion::contact::for_stiffness(contact, material, real);
+    print(itype, jtype, cohesion::contact::scaling_note(contact, material, real, used));
     return used;
   }
 
@@ -51,8 +51,8 @@ class TypeMaterials {
   const char* model_;
   bool is_wall_;
   bool has_stiffness_ = false, has_modulus_ = false;
-  cohesion::advice::Keep keep_ = cohesion::advice::Keep::escape_velocity;
-  TypeMatrix<cohesion::advice::Material> materials_;
+  cohesion::contact::Keep keep_ = cohesion::contact::Keep::escape_velocity;
+  TypeMatrix<cohesion::contact::Material> materials_;
   TypeMatrix<double> stiffnesses_;
   double** material_stiffness_ = nullptr;  // null where the script has none
   const double* material_modulus_ = nullptr;

@@ -103,14 +103,14 @@ class MisplacedSetting : public WordSetting {
 
 class KeepSetting : public WordSetting {
  public:
-  KeepSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, cohesion::advice::Keep& keep)
+  KeepSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, cohesion::contact::Keep& keep)
       : WordSetting(lmp, model, "material_keep", 1), keep_(keep) {}
 
   /// Number of words taken.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
     try {
-      keep_ = cohesion::find_by_name(cohesion::advice::keeps, name, args[1]).keep;
+      keep_ = cohesion::find_by_name(cohesion::contact::keeps, name, args[1]).keep;
     } catch (const cohesion::InvalidParameter& bad) {
       LAMMPS_NS::stop(lmp_, FLERR, model_, ": ", bad.what());
       return -1;
@@ -118,12 +118,12 @@ class KeepSetting : public WordSetting {
     return 2;
   }
   void print_value(FILE* out) override {
-    for (const auto& row : cohesion::advice::keeps)
+    for (const auto& row : cohesion::contact::keeps)
       if (row.keep == keep_) fprintf(out, "%s", row.name);
   }
 
  private:
-  cohesion::advice::Keep& keep_;
+  cohesion::contact::Keep& keep_;
 };
 
 /// The engine's table of settings takes words of its own kinds only; an explicit instantiation may
@@ -176,7 +176,7 @@ void tell_of_restart_files(LAMMPS_NS::LAMMPS* lmp, const std::string& model) {
 }
 
 void register_keep(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
-                   cohesion::advice::Keep& keep) {
+                   cohesion::contact::Keep& keep) {
   table_of(settings)["material_keep"] = new KeepSetting(lmp, model, keep);
 }
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 
 class Settings;
 
@@ -38,7 +38,7 @@ void tell_of_restart_files(LAMMPS_NS::LAMMPS* lmp, const std::string& model);
 
 /// Adds the keyword `material_keep`, whose value goes to `keep`. `settings` must not outlive it.
 void register_keep(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
-                   cohesion::advice::Keep& keep);
+                   cohesion::contact::Keep& keep);
 
 }  // namespace Cohesion
 }  // namespace LIGGGHTS

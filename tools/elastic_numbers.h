@@ -29,7 +29,7 @@ struct ElasticRequest {
 inline void add_options(CLI::App& app, ElasticRequest& r) {
   std::vector<std::string> forms, keeps;
   for (const auto& form : hamaker::forms) forms.emplace_back(form.name);
-  for (const auto& keep : advice::keeps) keeps.emplace_back(keep.name);
+  for (const auto& keep : contact::keeps) keeps.emplace_back(keep.name);
   app.add_option("--young", r.young, "Young's modulus [force/length^2]")->required();
   app.add_option("--poisson", r.poisson, "Poisson's ratio")->capture_default_str();
   app.add_option("--restitution", r.restitution, "e of a contact without cohesion")
@@ -77,18 +77,18 @@ class ElasticNumbers {
         geometry_(geometry),
         mass_(reduced_mass) {
     const double force = real_.pull_off_force();
-    keep_ = find_by_name(advice::keeps, "quantity to keep", r.keep).keep;
+    keep_ = find_by_name(contact::keeps, "quantity to keep", r.keep).keep;
     escape_ = real_.escape_velocity();
     speed_ = r.speed > 0.0 ? r.speed : escape_;
     require(speed_ > 0.0 && std::isfinite(speed_), "speed of impacts", speed_,
             "a pair that never sticks, or always, has no escape velocity: give --speed");
-    require(!softens() || force == 0.0 || keep_ == advice::Keep::force || is_plain(),
+    require(!softens() || force == 0.0 || keep_ == contact::Keep::force || is_plain(),
             "asperity radius", asperity_of(r).radius,
             "only the form small_gap without asperities is scaled: add --keep force");
     if (!softens()) return;
     soft_ = real_.softened(r.soft_young / r.young * real_.contact().modulus, keep_);
-    soft_hamaker_ = advice::for_stiffness(
-        soft_->contact().modulus, {real_.contact().modulus, keep_, advice::hertz_power}, hamaker_);
+    soft_hamaker_ = contact::for_stiffness(
+        soft_->contact().modulus, {real_.contact().modulus, keep_, contact::hertz_power}, hamaker_);
   }
 
   void print(bool csv) const {
@@ -179,7 +179,7 @@ class ElasticNumbers {
   std::optional<advice::ElasticPair> soft_;
   PairGeometry geometry_;
   double mass_, escape_, speed_;
-  advice::Keep keep_;
+  contact::Keep keep_;
 };
 
 }  // namespace cohesion::tools

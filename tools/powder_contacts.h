@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "advice/stiffness_scaling.h"
 #include "contact/linear_spring_dashpot.h"
+#include "contact/stiffness_scaling.h"
 #include "hamaker/forms.h"
 #include "hamaker/roughness.h"
 #include "powder/grain_contact.h"
@@ -30,7 +30,7 @@ struct PowderContacts {
   double density;
   double stiffness, restitution, friction;
   hamaker::HamakerParameters hamaker;
-  advice::Material material;  ///< that the springs stand for
+  contact::Material material;  ///< that the springs stand for
   /// Its stiffness between types i and j, at [i * number of types + j]; empty: as of `material`.
   std::vector<double> material_of_pairs{};
   double well_ratio = 0.0;  ///< r_out/r of wells in place of the attraction; 0: no wells
@@ -170,7 +170,7 @@ struct PowderContacts {
   }
 
   std::string kept() const {
-    for (const advice::KeepName& k : advice::keeps)
+    for (const contact::KeepName& k : contact::keeps)
       if (k.keep == material.keep) return k.name;
     return "";
   }

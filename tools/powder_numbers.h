@@ -36,9 +36,9 @@ inline PowderSizes sizes_of(const PowderRequest& r) {
   return PowderSizes(sizes);
 }
 
-inline advice::Keep keep_of(const PowderRequest& r) {
-  const auto named = [&](const advice::KeepName& k) { return r.keep == k.name; };
-  return std::find_if(advice::keeps.begin(), advice::keeps.end(), named)->keep;
+inline contact::Keep keep_of(const PowderRequest& r) {
+  const auto named = [&](const contact::KeepName& k) { return r.keep == k.name; };
+  return std::find_if(contact::keeps.begin(), contact::keeps.end(), named)->keep;
 }
 
 /// The numbers of a powder that the lines are made of.
@@ -205,12 +205,12 @@ class Powder {
     };
     const double small = sizes.smallest(), large = sizes.largest();
     ElasticDemand demand{r.elastic.young, r.soft_young, load, r.overlap, keep_of(r)};
-    if (adhesion.cutoff > 0.0 && demand.keep == advice::Keep::escape_velocity) {
-      demand.least = least_scaled_stiffness(r.elastic.young, hamaker, advice::hertz_power);
+    if (adhesion.cutoff > 0.0 && demand.keep == contact::Keep::escape_velocity) {
+      demand.least = least_scaled_stiffness(r.elastic.young, hamaker, contact::hertz_power);
       // As the engine will: throws where the outer cut-off leaves no room.
       if (r.soft_young > 0.0)
-        advice::for_stiffness(r.soft_young, {r.elastic.young, demand.keep, advice::hertz_power},
-                              hamaker);
+        contact::for_stiffness(r.soft_young, {r.elastic.young, demand.keep, contact::hertz_power},
+                               hamaker);
     }
     return elastic_contacts({borne(small, 0.5 * mass(small), two_spheres(0.5 * small, 0.5 * small)),
                              borne(small, mass(small), sphere_and_plane(0.5 * small)),

@@ -25,7 +25,6 @@ using HistorySize = ContactHistory::Size;
 template <class Contact, int SIZE>
 class ContactForces {
  public:
-  using Action = cohesion::contact_solver::PairImpulse;
   using ContactEnergies = cohesion::contact_solver::ContactEnergies;
   using FrictionalStep = cohesion::contact_solver::FrictionalStep;
   using PairMotion = cohesion::contact_solver::PairMotion;
@@ -48,25 +47,26 @@ class ContactForces {
   /// Whether apply_persistent() can be called in this step.
   bool may_persist() const { return may_persist_; }
   /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
-  /// step, without stored energies. `now`, `By`: as in ExactContact; the impulses of `does` are
+  /// step, without stored energies. `now`, `By`: as in ExactContact; the impulses of `result` are
   /// times kick(); `tallies`: the energy balance is active, and gets the losses. Returns false, and
-  /// does nothing, for any other contact, and in the step in which the engine has exchanged i and
-  /// j.
+  /// changes nothing, for any other contact, and in the step in which the engine has exchanged i
+  /// and j.
   template <class By, bool tallies, class Motion>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, std::ptrdiff_t i, std::ptrdiff_t j,
                                                const Motion& now, double* values,
-                                               FrictionalStep& does) const {
+                                               FrictionalStep& result) const {
     if (c.is_idle(now, values, moved_by_forces_)) return true;
     ContactEnergies energies;
-    if (!c.template advance_persistent<SIZE, By>(now, values, does, tallies ? &energies : nullptr))
+    if (!c.template advance_persistent<SIZE, By>(now, values, result,
+                                                 tallies ? &energies : nullptr))
       return false;
-    if constexpr (tallies) tally_persistent(i, j, does.friction, energies);
-    Vector3 pushed = kick_ * does.action.impulse;
+    if constexpr (tallies) tally_persistent(i, j, result.friction, energies);
+    Vector3 pushed = kick_ * result.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, result.action.torque_i);
     if (j >= nlocal_) return true;
     add(forces_ + 3 * j, 1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, does.action.torque_j);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, result.action.torque_j);
     return true;
   }
 
@@ -79,14 +79,14 @@ class ContactForces {
     if constexpr (Contact::is_exact)
       if (step_->has_other_length())
         c.change_step(step_->last_length(), now, acceleration, history);
-    const FrictionalStep does =
+    const FrictionalStep result =
         c.template advance<SIZE>(now, acceleration, step_->starts(), history, energies, reads);
-    push(i, -does.action.impulse, does.action.torque_i);
-    if (is_own(j)) push(j, does.action.impulse, does.action.torque_j);
-    if (dot(does.at_edge, does.at_edge) > 0.0) exclude(c, i, j, kick_ * does.at_edge);
-    if (does.unresolved) step_->count_unresolved(owned_fraction(j));
-    if (step_->energy_tally.is_active()) tally(i, j, does.friction, *energies);
-    return does;
+    push(i, -result.action.impulse, result.action.torque_i);
+    if (is_own(j)) push(j, result.action.impulse, result.action.torque_j);
+    if (dot(result.at_edge, result.at_edge) > 0.0) exclude(c, i, j, kick_ * result.at_edge);
+    if (result.unresolved) step_->count_unresolved(owned_fraction(j));
+    if (step_->energy_tally.is_active()) tally(i, j, result.friction, *energies);
+    return result;
   }
 
  private:

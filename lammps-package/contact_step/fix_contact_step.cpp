@@ -16,6 +16,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
+#include "soft_contacts/contact_advice.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -41,7 +42,7 @@ static void put(const Vector3& a, double* values) {
 FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       impulses(lammps),
-      watch(lammps),
+      watch(std::make_unique<LammpsWatch>(lammps)),
       forwarded_flags(nullptr),
       forwarded_values(nullptr),
       values_each(0),
@@ -266,9 +267,9 @@ void FixContactStep::hold_spins() {
 /// Runs the time-step check when it is due: in a continued run, too, whose step, coefficients and
 /// particles may have changed.
 void FixContactStep::advise_if_due(bool setup) {
-  if (advised.empty() || !watch.due(setup)) return;
+  if (advised.empty() || !watch->due(setup)) return;
   AdviceOfStyles advice;
-  for (AdvisedStyle* one : advised) one->give_advice(watch.now(), advice);
+  for (AdvisedStyle* one : advised) one->give_advice(watch->now(), advice);
   advice.print(lmp);
 }
 
@@ -276,7 +277,7 @@ void FixContactStep::advise_if_due(bool setup) {
 bool FixContactStep::begin_step() {
   if (!step_due) return false;
   step_due = false;
-  before_dt = forces_dt;
+  last_dt = forces_dt;
   forces_dt = update->dt;
   update_particles();
   update_readers();

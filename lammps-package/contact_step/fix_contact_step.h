@@ -8,25 +8,31 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #ifndef LMP_FIX_CONTACT_STEP_H
 #define LMP_FIX_CONTACT_STEP_H
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "atom.h"
+#include "contact/contact_parameters.h"
 #include "contact_solver/energy_sums.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_solver/pair_motion.h"
+#include "contact_step/advised_style.h"
 #include "contact_step/altered_particles.h"
+#include "contact_step/contact_energy_tally.h"
 #include "contact_step/contact_impulses.h"
 #include "contact_step/soft_contact_style.h"
 #include "domain.h"
 #include "engine/atom_numbers.h"
 #include "engine/mobile_particles.h"
 #include "fix.h"
-#include "outputs/contact_energy_tally.h"
-#include "soft_contacts/contact_advice.h"
 
 namespace LAMMPS_NS {
+
+template <class Engine>
+class ContactWatch;
+struct LammpsRun;
 
 /// Radii and inverse masses of particles and ghosts.
 struct Bodies {
@@ -120,8 +126,8 @@ class FixContactStep : public Fix {
   /// Length of the step, [time].
   double length() const;
   /// Length of the last step, [time], and whether it differs.
-  double last_length() const { return before_dt; }
-  bool has_other_length() const { return before_dt != length(); }
+  double last_length() const { return last_dt; }
+  bool has_other_length() const { return last_dt != length(); }
   /// Length of the step with which the current forces of contacts were computed, [time].
   double forces_length() const { return forces_dt; }
   /// Acceleration of j relative to i by the forces of the last step without impulses,
@@ -207,7 +213,7 @@ class FixContactStep : public Fix {
 
   std::vector<SoftContactStyle*> styles;  // those of this run
   std::vector<AdvisedStyle*> advised;     // the same
-  LammpsWatch watch;
+  std::unique_ptr<ContactWatch<LammpsRun> > watch;
 
   char* forwarded_flags;     // per atom and ghost: whether it has values to forward
   double* forwarded_values;  // of particle 0; `values_each` per particle, one after the other
@@ -223,9 +229,9 @@ class FixContactStep : public Fix {
   bool warned_of_unmoved = false;
   std::set<std::string> warned_of_walls;  // texts of the warnings so far
   AlteredParticles altered;
-  double forces_dt;                   // step of the current forces; 0 before the first
+  double forces_dt;                   // forces_length(); 0 before the first step
   AtomNumbers last;                   // between two runs: save_last()
-  double before_dt = 0.0;             // last step
+  double last_dt = 0.0;               // last_length()
   AtomNumbers accelerations;          // of atoms and ghosts, by the forces of the last step
   double largest_acceleration = 0.0;  // of these
   bool step_due = false;              // begin_step()

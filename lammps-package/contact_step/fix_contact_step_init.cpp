@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/unlike_walls.h"
 #include "atom.h"
 #include "comm.h"
 #include "common/message.h"

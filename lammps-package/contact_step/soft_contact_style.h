@@ -2,7 +2,9 @@
 #ifndef COHESION_SOFT_CONTACT_STYLE_H
 #define COHESION_SOFT_CONTACT_STYLE_H
 
-#include "advice/unlike_walls.h"
+namespace cohesion::advice {
+struct StickingRules;
+}
 
 namespace LAMMPS_NS {
 

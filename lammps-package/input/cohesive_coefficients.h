@@ -9,13 +9,12 @@
 #include <type_traits>
 #include <vector>
 
-#include "advice/stiffness_scaling.h"
 #include "comm.h"
+#include "contact/stiffness_scaling.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/turning.h"
 #include "input/cohesive_contact_from_script.h"
 #include "input/restart_format.h"
-#include "input/sticking_rules_of_law.h"
 #include "input/type_pair_table.h"
 #include "pointers.h"
 
@@ -93,7 +92,7 @@ class CohesiveCoefficients : protected Pointers {
   const cohesion::contact::ContactParameters& contact(int pair_index) const {
     return contacts_[pair_index];
   }
-  cohesion::advice::Material material(int pair_index) const {
+  cohesion::contact::Material material(int pair_index) const {
     return Cohesion::material(parameters_[pair_index]);
   }
   std::string doubt(int pair_index) const { return Cohesion::doubt(lmp, parameters_[pair_index]); }
@@ -134,18 +133,6 @@ class CohesiveCoefficients : protected Pointers {
       return true;
     else
       return std::any_of(parameters_.begin(), parameters_.end(), &Cohesion::attracts);
-  }
-  /// Of the contacts of these types that are this style's.
-  cohesion::advice::StickingRules sticking_rules(int types) const {
-    auto rules = sticking_rules_of_law<Cohesion>(message_prefix(), scheme_);
-    for (int i = 1; i <= types; i++)
-      for (int j = i; j <= types; j++) {
-        const int k = pair_index(i, j);
-        if (prepared_[k])
-          add_contact<Cohesion>(rules, attraction<cohesion::contact::Adhesion>(k, 1.0, 1.0),
-                                parameters_[k], contacts_[k]);
-      }
-    return rules;
   }
   /// As a pair of src/contact_solver takes it.
   template <class Attraction>

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "advice/contact_advice.h"
 #include "common/former_words.h"
 
 using namespace LAMMPS_NS;

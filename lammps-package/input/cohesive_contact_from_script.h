@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "advice/contact_advice.h"
 #include "common/specified_keywords.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
@@ -17,6 +16,10 @@
 // What scripts say about cohesive contacts, whatever the cohesion. `Cohesion` is one of
 // cohesion_laws.h; its Parameters have a member `contact`, the contact
 // without cohesion.
+
+namespace cohesion::advice {
+struct SchemeLimits;
+}
 
 namespace LAMMPS_NS {
 

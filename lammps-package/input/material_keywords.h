@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 #include "input/cohesive_contact_from_script.h"
 
 namespace LAMMPS_NS {
 
 /// `material_stiffness K | material_modulus E nu`, `material_keep name`, of what material() finds
 /// among the parameters P. The first is there where contacts may have linear springs.
-template <class P, cohesion::advice::Material& (*material)(P&)>
+template <class P, cohesion::contact::Material& (*material)(P&)>
 std::vector<ContactKeyword<P>> material_keywords(bool linear_springs) {
   std::vector<ContactKeyword<P>> rows{
       {"material_modulus", "E_m nu_m",
-       [](P& p, const double* v) { cohesion::advice::set_hertz(material(p), v[0], v[1]); }},
+       [](P& p, const double* v) { cohesion::contact::set_hertz(material(p), v[0], v[1]); }},
       {"material_keep", "name", nullptr, [](P& p, const char* word, const double*) {
          material(p).keep =
-             cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
+             cohesion::find_by_name(cohesion::contact::keeps, "material_keep", word).keep;
        }}};
   if (linear_springs)
     rows.insert(rows.begin(), {"material_stiffness", "K_m",

@@ -26,13 +26,12 @@ cohesion::advice::StickingRules sticking_rules_of_law(const std::string& name, S
 template <class Cohesion>
 void add_contact(cohesion::advice::StickingRules& rules,
                  const cohesion::contact::Adhesion& adhesion,
-                 const typename Cohesion::Parameters& parameters,
+                 const cohesion::contact::Material& material,
                  const cohesion::contact::ContactParameters& contact) {
   if (!adhesion.attracts()) return;
   rules.adhesion = Cohesion::STYLE;
   rules.material_words = Cohesion::material_words(contact);
-  rules.softenings.push_back(
-      {Cohesion::material(parameters), cohesion::advice::stiffness_of(contact)});
+  rules.softenings.push_back({material, cohesion::contact::stiffness_of(contact)});
 }
 
 }  // namespace LAMMPS_NS

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 #include "input/cohesive_contact_from_script.h"
 
 namespace LAMMPS_NS {
@@ -81,7 +81,7 @@ class CohesionLaw {
   int settings() const { return 0; }
   void restore_settings(int) {}
 
-  static cohesion::advice::Material material(const Parameters&) { return {}; }
+  static cohesion::contact::Material material(const Parameters&) { return {}; }
   /// How a script names the material of a contact; empty: it cannot.
   static const char* material_words(const cohesion::contact::ContactParameters&) { return ""; }
   /// What to say of numbers that no material has; empty: nothing.

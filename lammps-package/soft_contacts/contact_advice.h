@@ -9,6 +9,7 @@
 #include "advice/warning_filter.h"
 #include "common/contact_watch.h"
 #include "contact/contact_parameters.h"
+#include "contact_step/advised_style.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -36,16 +37,6 @@ class AdviceOfStyles {
   };
 
   std::vector<StyleReport> reports_;
-};
-
-/// A style that judges its contacts before the first step of a run, and when that may no longer
-/// hold.
-class AdvisedStyle {
- public:
-  virtual void give_advice(const RunConditions&, AdviceOfStyles&) = 0;
-
- protected:
-  ~AdvisedStyle() = default;
 };
 
 /// What the time-step check asks of a run of LAMMPS.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "advice/warning_filter.h"
 #include "atom.h"
 #include "comm.h"
 #include "common/message.h"
@@ -15,7 +16,6 @@
 #include "engine/largest_radii.h"
 #include "engine/particles_at_walls.h"
 #include "error.h"
-#include "input/sticking_rules_of_law.h"
 #include "input/walls_from_script.h"
 #include "neighbor.h"
 #include "soft_contacts/cohesion_laws.h"
@@ -29,12 +29,13 @@ template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
     : FixWithWallHistory(lammps, narg, arg),
       where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
+      advice_filter(std::make_unique<cohesion::advice::WarningFilter>()),
       scheme(Scheme::exact),
       law(attraction.no_law()),
       per_wall(HistorySize::normal_only),
       sizes(),
       travelled(0.0),
-      step(nullptr) {
+      contact_step(nullptr) {
   read(narg, arg);
   if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
   if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
@@ -64,7 +65,7 @@ FixWallGranCohesive<Cohesion>::~FixWallGranCohesive() {
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_constructor() {
-  step = FixContactStep::of(lmp);
+  contact_step = FixContactStep::of(lmp);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -150,45 +151,11 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
-  if (step->resumes()) return repeat_forces();
-  step->compute_contacts([this] {
+  if (contact_step->resumes()) return repeat_forces();
+  contact_step->compute_contacts([this] {
     forces.clear();
     with_contacts([this](auto& shared, auto size) { compute_contacts<size>(shared); });
   });
-}
-
-template <class Cohesion>
-cohesion::advice::StickingRules FixWallGranCohesive<Cohesion>::sticking_rules() const {
-  auto rules = sticking_rules_of_law<Cohesion>(where, scheme);
-  rules.meant_without = has_adhesion_word;
-  add_contact<Cohesion>(rules, Cohesion::template of_wall<cohesion::contact::Adhesion>(law, 1.0),
-                        parameters, parameters.contact);
-  return rules;
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::give_advice(const RunConditions& of_all, AdviceOfStyles& all) {
-  const RunConditions now = of_group(lmp, of_all, groupbit);
-  const auto advised = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
-  all.add(style, id,
-          advice_of_contacts(lmp, where, limits_of(scheme), advised, now, advice_filter));
-}
-
-template <class Cohesion>
-std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
-    const std::vector<LightestParticle>& lightest) const {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<AdvisedContact> advised;
-  for (int type = 1; type <= atom->ntypes; type++) {
-    if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
-    advised.push_back(advised_contact(
-        fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
-        Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
-    advised.back().material = Cohesion::material(parameters);
-    advised.back().material_words = Cohesion::material_words(parameters.contact);
-    advised.back().doubt = Cohesion::doubt(lmp, parameters);
-  }
-  return advised;
 }
 
 template <class Cohesion>
@@ -206,7 +173,7 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, int w, const WallPoint& 
 }
 
 /// Displacement of the walls in a step, [length]. Infinite if the box moves particles: by a mean
-/// flow, which step->flight() excludes, or by rescaling.
+/// flow, which contact_step->flight() excludes, or by rescaling.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::wall_travel(const WallState& now) const {
   if (domain->box_change) return std::numeric_limits<double>::infinity();
@@ -240,8 +207,64 @@ void FixWallGranCohesive<Cohesion>::find_beside(const WallState& now) {
     if (!far.contains(atom->x[i]) || atom->radius[i] > sizes.largest_radius ||
         !is_far_from_regions(vector(atom->x[i])))
       beside.push_back(i);
-  radii_version = step->version_of_radii();
+  radii_version = contact_step->version_of_radii();
   travelled = 0.0;
+}
+
+/// Selects the particles that may be near a wall in this step: all if some may be new, or faster. A
+/// particle that moves less than a radius per step cannot reach a wall from beyond two radii.
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::select_particles(const WallState& now, double flight,
+                                                     bool new_list) {
+  if (new_list || flight > sizes.smallest_radius) {
+    update_sizes();
+    beside.resize(atom->nlocal);
+    std::iota(beside.begin(), beside.end(), 0);
+    travelled = std::numeric_limits<double>::infinity();
+  } else {
+    travelled += 2.0 * flight;  // fix recenter may displace all by as much as the fastest flies
+    if (travelled > sizes.largest_radius || radii_version != contact_step->version_of_radii())
+      find_beside(now);
+  }
+}
+
+/// Whether a particle may touch a face in this step; updates its history where it does not.
+template <class Cohesion>
+bool FixWallGranCohesive<Cohesion>::may_touch(int i, int face, const WallState& now, double flight,
+                                              double range) {
+  double& phase = *history.of(i, face);
+  const WallPoint& point = points[face];
+  if (WallHistory::keep_behind(phase, point.distance, atom->radius[i] + range)) return false;
+  // A particle without a history is in range or not by its position.
+  if (phase < 0.0) ContactHistory::unknown().store(&phase, per_wall);
+  // No particle is faster than the step's fastest.
+  if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, wall_of_face[face], point, now);
+  if (contact_step->body(i).inverse_mass == 0.0) {
+    if (contact_step->is_led(i) &&
+        contact_step->carries_along(i, vector(atom->v[i]) - point.velocity))
+      phase = WallHistory::NOT_KNOWN;
+    else
+      ContactState::stored(&phase).hold().store(&phase);
+    return false;
+  }
+  if (point.distance <= 2.0 * atom->radius[i] + range) return true;
+  phase = ContactState::outside;
+  return false;
+}
+
+/// A particle and the face that it may touch.
+template <class Cohesion>
+typename FixWallGranCohesive<Cohesion>::Near FixWallGranCohesive<Cohesion>::near_face(
+    int i, int face, const WallState& now) const {
+  const WallPoint& point = points[face];
+  const double last_step = contact_step->starts() ? 0.0 : update->dt;
+  const std::size_t w = wall_of_face[face];
+  const Vector3 centre = vector(atom->x[i]), velocity = vector(atom->v[i]);
+  return {i, wall_of_face[face], point.velocity,
+          w < walls.size()
+              ? walls[w].relative_motion(centre, velocity, point, now, last_step)
+              : regions[w - walls.size()].relative_motion(centre, velocity, point, now, last_step),
+          history.of(i, face)};
 }
 
 /// Calls what(Near) for the particles that may touch a wall in this step.
@@ -250,61 +273,22 @@ template <class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
   for (RegionFaces& region : regions) region.refresh(where);
-  // A particle that moves less than a radius per step cannot reach a wall from beyond two radii.
-  // All particles are checked when some may be new, or faster.
-  const double flight = 2.0 * step->flight() + wall_travel(now);
-  const bool new_list = step->starts() || neighbor->ago == 0;
-  if (new_list || flight > sizes.smallest_radius) {
-    update_sizes();
-    beside.resize(atom->nlocal);
-    std::iota(beside.begin(), beside.end(), 0);
-    travelled = std::numeric_limits<double>::infinity();
-  } else {
-    travelled += 2.0 * flight;  // fix recenter may displace all by as much as the fastest flies
-    if (travelled > sizes.largest_radius || radii_version != step->version_of_radii())
-      find_beside(now);
-  }
-
+  const double flight = 2.0 * contact_step->flight() + wall_travel(now);
+  const bool new_list = contact_step->starts() || neighbor->ago == 0;
+  select_particles(now, flight, new_list);
   for (const int i : beside) {
     if (!(atom->mask[i] & groupbit)) {
       if (new_list) history.begin(i);  // it may join the group later
       continue;
     }
-    const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
-    find_points(centre, now, 2.0 * atom->radius[i] + range, points);
+    find_points(vector(atom->x[i]), now, 2.0 * atom->radius[i] + range, points);
     if (!regions.empty()) {
       continue_around_open_edges(i, now);
       check_curvature(i, range);
     }
-    for (int face = 0; face < faces(); face++) {
-      double& phase = *history.of(i, face);
-      const WallPoint& point = points[face];
-      if (WallHistory::keep_behind(phase, point.distance, atom->radius[i] + range)) continue;
-      // A particle without a history is in range or not by its position.
-      if (phase < 0.0) ContactHistory::unknown().store(&phase, per_wall);
-      // No particle is faster than the step's fastest.
-      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, wall_of_face[face], point, now);
-      if (step->body(i).inverse_mass == 0.0) {
-        if (step->is_led(i) && step->carries_along(i, vector(atom->v[i]) - point.velocity))
-          phase = WallHistory::NOT_KNOWN;
-        else
-          ContactState::stored(&phase).hold().store(&phase);
-        continue;
-      }
-      if (point.distance > 2.0 * atom->radius[i] + range) {
-        phase = ContactState::outside;
-        continue;
-      }
-      const double last_step = step->starts() ? 0.0 : update->dt;
-      const std::size_t w = wall_of_face[face];
-      const Vector3 velocity = vector(atom->v[i]);
-      what(Near{i, wall_of_face[face], point.velocity,
-                w < walls.size() ? walls[w].relative_motion(centre, velocity, point, now, last_step)
-                                 : regions[w - walls.size()].relative_motion(centre, velocity,
-                                                                             point, now, last_step),
-                &phase});
-    }
+    for (int face = 0; face < faces(); face++)
+      if (may_touch(i, face, now, flight, range)) what(near_face(i, face, now));
   }
 }
 
@@ -312,7 +296,7 @@ template <class Cohesion>
 template <int SIZE, class Contact>
 void FixWallGranCohesive<Cohesion>::compute_contacts(std::vector<Contact>& shared) {
   shared.clear();
-  const ContactForces<Contact, SIZE> contact_forces(atom, step);
+  const ContactForces<Contact, SIZE> contact_forces(atom, contact_step);
   for_each_near([&](const Near& near) {
     compute_contact<SIZE>(contact_forces, contact(shared, near.i), near);
   });
@@ -323,22 +307,23 @@ template <int SIZE, class Contact>
 void FixWallGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& contact_forces, const Contact& c, const Near& near) {
   const PairMotion now{near.motion.relative, vector(atom->omega[near.i]), {}};
-  ContactHistory known =
-      step->starts() ? ContactHistory::unknown() : ContactHistory::stored(near.history, SIZE);
-  if (known.normal.is_outside() && !c.within_reach(now.relative, step->moved_by_forces())) {
+  ContactHistory known = contact_step->starts() ? ContactHistory::unknown()
+                                                : ContactHistory::stored(near.history, SIZE);
+  if (known.normal.is_outside() && !c.within_reach(now.relative, contact_step->moved_by_forces())) {
     *near.history = ContactState::outside;
     return;
   }
   ContactEnergies energies;
-  const FrictionalStep does = contact_forces.apply(
-      c, near.i, -1, now, near.motion.acceleration, known,
-      step->energy_tally.is_active() ? &energies : nullptr, step->energy_tally.is_read());
+  const FrictionalStep result =
+      contact_forces.apply(c, near.i, -1, now, near.motion.acceleration, known,
+                           contact_step->energy_tally.is_active() ? &energies : nullptr,
+                           contact_step->energy_tally.is_read());
   known.store(near.history, SIZE);
-  const Vector3& impulse = does.action.impulse;
-  step->energy_tally.add_work(-dot(near.wall_velocity, impulse));
-  step->energy_tally.add_friction_work(dot(near.wall_velocity, does.friction));
+  const Vector3& impulse = result.action.impulse;
+  contact_step->energy_tally.add_work(-dot(near.wall_velocity, impulse));
+  contact_step->energy_tally.add_friction_work(dot(near.wall_velocity, result.friction));
   const double kick = contact_forces.kick();
-  forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, does)));
+  forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, result)));
 }
 
 /// The force on one wall: three components of the whole, three of the adhesive part.

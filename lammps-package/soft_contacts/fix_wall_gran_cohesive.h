@@ -2,6 +2,7 @@
 #ifndef LMP_FIX_WALL_GRAN_COHESIVE_H
 #define LMP_FIX_WALL_GRAN_COHESIVE_H
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,13 +11,13 @@
 #include "common/guarded.h"
 #include "contact_solver/exact_contact.h"
 #include "contact_solver/wall.h"
+#include "contact_step/advised_style.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"
 #include "engine/region_faces.h"
 #include "fix.h"
 #include "input/cohesive_contact_from_script.h"
 #include "sampled_contact/sampled_contact.h"
-#include "soft_contacts/contact_advice.h"
 #include "soft_contacts/wall_forces.h"
 #include "soft_contacts/wall_history.h"
 #include "update.h"
@@ -42,7 +43,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   bool is_exact_scheme() const override { return scheme == Scheme::exact; }
   cohesion::advice::StickingRules sticking_rules() const override;
   void continue_run() override;
-  void give_advice(const RunConditions&, AdviceOfStyles&) override;
+  void give_advice(const cohesion::advice::RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
@@ -91,13 +92,17 @@ class FixWallGranCohesive : public FixWithWallHistory,
   void continue_around_open_edges(int i, const WallState&);
   void check_curvature(int i, double range);
   void warn_of_particles();
+  void select_particles(const WallState&, double flight, bool new_list);
+  bool may_touch(int i, int face, const WallState&, double flight, double range);
+  Near near_face(int i, int face, const WallState&) const;
   template <class What>
   void for_each_near(const What&);
   template <int SIZE, class Contact>
   void compute_contacts(std::vector<Contact>&);
   template <int SIZE, class Contact>
   void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, const Near&);
-  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+  std::vector<cohesion::advice::AdvisedContact> advised_contacts(
+      const std::vector<cohesion::advice::LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
     guarded(lmp, where, [&] {
@@ -115,7 +120,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   }
 
   std::string where;  // in front of messages
-  cohesion::advice::WarningFilter advice_filter;
+  std::unique_ptr<cohesion::advice::WarningFilter> advice_filter;
   Scheme scheme;
   bool has_adhesion_word = false;
   Cohesion attraction;
@@ -141,7 +146,7 @@ class FixWallGranCohesive : public FixWithWallHistory,
   std::vector<int> beside;  // particles that may touch a wall
   long radii_version = -1;  // at the time of this search
   double travelled;         // upper bound of a displacement since then, [length]
-  FixContactStep* step;
+  FixContactStep* contact_step;
 
   WallForces forces;
 };
@@ -150,9 +155,9 @@ class FixWallGranCohesive : public FixWithWallHistory,
 template <class Cohesion>
 template <class Contact>
 inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
-  const cohesion::contact_solver::Body particle = step->body(i), wall{0.0, 0.0};
+  const cohesion::contact_solver::Body particle = contact_step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().is_between(particle, wall))
-    shared.push_back(step->contact<Contact>(
+    shared.push_back(contact_step->contact<Contact>(
         parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
         wall));
@@ -176,7 +181,7 @@ inline void FixWallGranCohesive<Cohesion>::find_points(const cohesion::Vector3& 
 template <class Cohesion>
 cohesion::contact_solver::WallState FixWallGranCohesive<Cohesion>::state() const {
   const double half = 0.5 * update->dt;
-  return course.over({step->starts() ? 0.0 : half, half});
+  return course.over({contact_step->starts() ? 0.0 : half, half});
 }
 
 }  // namespace LAMMPS_NS

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/contact_advice.h"
 #include "atom.h"
 #include "common/message.h"
 #include "contact_solver/wall.h"
@@ -38,7 +39,7 @@ std::string FixWallGranCohesive<Cohesion>::name_of(int w, const WallState& now) 
 /// Contacts of particle i, whose `points` are known, that continue around an open edge.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::continue_around_open_edges(int i, const WallState& now) {
-  const double last_step = step->starts() ? 0.0 : update->dt;
+  const double last_step = contact_step->starts() ? 0.0 : update->dt;
   int first = static_cast<int>(walls.size());
   for (const RegionFaces& region : regions) {
     const auto in_range = [&](int face) { return *history.of(i, first + face) > 0.0; };

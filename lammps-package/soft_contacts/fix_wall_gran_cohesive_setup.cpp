@@ -28,7 +28,7 @@ void FixWallGranCohesive<Cohesion>::find_in_range(std::vector<Contact>& shared,
   std::vector<WallPoint> points_before(faces());
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const AlteredParticles& altered = step->altered_particles();
+    const AlteredParticles& altered = contact_step->altered_particles();
     const Vector3 centre = vector(atom->x[i]), before = centre - altered.displacement(i);
     find_points(centre, now, infinite, points);
     find_points(before, now, infinite, points_before);
@@ -38,7 +38,7 @@ void FixWallGranCohesive<Cohesion>::find_in_range(std::vector<Contact>& shared,
       const bool is_altered =
           altered.is_resized(i) || (distance != points_before[face].distance &&
                                     altered.is_displaced(distance - points_before[face].distance));
-      if (step->body(i).inverse_mass == 0.0) {
+      if (contact_step->body(i).inverse_mass == 0.0) {
         if (is_altered) values[0] = WallHistory::NOT_KNOWN;
         continue;
       }
@@ -62,11 +62,11 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
   const WallState now = state();
   with_contacts([&](auto& shared, auto size) {
     find_in_range(shared, now);
-    if (!step->energy_tally.is_active()) return;
-    for_each_with_history<size>(
-        now, [&](int i, const Vector3& separation, const ContactHistory& known) {
-          step->energy_tally.store_normal(1.0, contact(shared, i).stored(separation, known));
-        });
+    if (!contact_step->energy_tally.is_active()) return;
+    for_each_with_history<size>(now, [&](int i, const Vector3& separation,
+                                         const ContactHistory& known) {
+      contact_step->energy_tally.store_normal(1.0, contact(shared, i).stored(separation, known));
+    });
   });
 }
 
@@ -75,11 +75,11 @@ template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::repeat_forces() {
   const WallState now = state();
   with_contacts([&](auto& shared, auto size) {
-    for_each_with_history<size>(
-        now, [&](int i, const Vector3& separation, const ContactHistory& known) {
-          step->repeat_forces(
-              i, -1, forces_of(contact(shared, i), separation, known, step->forces_length()));
-        });
+    for_each_with_history<size>(now, [&](int i, const Vector3& separation,
+                                         const ContactHistory& known) {
+      contact_step->repeat_forces(
+          i, -1, forces_of(contact(shared, i), separation, known, contact_step->forces_length()));
+    });
   });
 }
 
@@ -88,7 +88,7 @@ template <class Cohesion>
 template <int SIZE, class What>
 void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, const What& what) {
   for (int i = 0; i < atom->nlocal; i++) {
-    if (step->body(i).inverse_mass == 0.0) continue;
+    if (contact_step->body(i).inverse_mass == 0.0) continue;
     find_points(vector(atom->x[i]), now, infinite, points);
     for (int face = 0; face < faces(); face++) {
       double* const values = history.of(i, face);

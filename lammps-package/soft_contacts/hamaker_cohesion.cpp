@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "soft_contacts/hamaker_cohesion.h"
 
+#include "advice/known_materials.h"
+#include "common/plausible_sizes.h"
 #include "input/hamaker_keywords.h"
 #include "input/material_keywords.h"
 
@@ -8,7 +10,7 @@ using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;
 
 static cohesion::hamaker::HamakerParameters& hamaker_of(Parameters& p) { return p.hamaker; }
-static cohesion::advice::Material& material_of(Parameters& p) { return p.material; }
+static cohesion::contact::Material& material_of(Parameters& p) { return p.material; }
 
 std::vector<ContactKeyword<Parameters>> HamakerCohesion::keywords() {
   auto rows = hamaker_keywords<Parameters, &hamaker_of>();
@@ -26,7 +28,7 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
   require_material(lmp, where, p.contact, given);
   from_script(lmp, where, [&] {
     cohesion::hamaker::require_valid(p.hamaker);
-    cohesion::advice::require_valid(p.material);
+    cohesion::contact::require_valid(p.material);
     return true;
   });
 }
@@ -34,7 +36,7 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
 Parameters HamakerCohesion::mixed(const Parameters& a, const Parameters& b) {
   return {cohesion::contact::mixed(a.contact, b.contact),
           cohesion::hamaker::mixed(a.hamaker, b.hamaker),
-          cohesion::advice::mixed(a.material, b.material)};
+          cohesion::contact::mixed(a.material, b.material)};
 }
 
 double HamakerCohesion::range(Scheme scheme, const Parameters& p, double, double) {
@@ -52,18 +54,22 @@ const char* HamakerCohesion::material_words(const cohesion::contact::ContactPara
   return LAMMPS_NS::material_words(contact);
 }
 
+std::string HamakerCohesion::doubt(const LAMMPS* lmp, const Parameters& p) {
+  return cohesion::advice::above_hamaker_constants(p.hamaker.hamaker_constant, si_units(lmp));
+}
+
 Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
-  namespace advice = cohesion::advice;
+  namespace contact = cohesion::contact;
   const cohesion::hamaker::HamakerParameters real = p.hamaker;
-  const double stiffness = advice::stiffness_of(p.contact);
-  const bool scales = real.hamaker_constant > 0.0 && advice::is_scaled(p.material, stiffness);
+  const double stiffness = contact::stiffness_of(p.contact);
+  const bool scales = real.hamaker_constant > 0.0 && contact::is_scaled(p.material, stiffness);
   if (scales && (form_->name != "small_gap" || real.asperity_radius > 0.0))
     lmp->error->all(FLERR, where + ": " + material_words(p.contact) +
                                " scales the form small_gap only, without asperities; "
                                "'material_keep force' leaves any adhesion as it is");
   p.hamaker =
-      from_script(lmp, where, [&] { return advice::for_stiffness(stiffness, p.material, real); });
-  notes_.print(lmp, where, advice::scaling_note(stiffness, p.material, real, p.hamaker));
+      from_script(lmp, where, [&] { return contact::for_stiffness(stiffness, p.material, real); });
+  notes_.print(lmp, where, contact::scaling_note(stiffness, p.material, real, p.hamaker));
   return p;
 }
 

@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "advice/known_materials.h"
 #include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
@@ -32,7 +31,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   struct HamakerContact {
     cohesion::contact::ContactParameters contact;
     cohesion::hamaker::HamakerParameters hamaker = cohesion::hamaker::none;
-    cohesion::advice::Material material;
+    cohesion::contact::Material material;
   };
   using Parameters = HamakerContact;
   using Law = cohesion::hamaker::AnyLaw;
@@ -42,7 +41,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
                             const SpecifiedKeywords& given);
-  /// With advice::mixed, and throws as that.
+  /// With contact::mixed, and throws as that.
   static Parameters mixed(const Parameters&, const Parameters&);
   static double range(Scheme, const Parameters&, double radius_i, double radius_j);
 
@@ -56,11 +55,9 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   int settings() const { return static_cast<int>(form_ - cohesion::hamaker::forms.data()); }
   void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
 
-  static cohesion::advice::Material material(const Parameters& p) { return p.material; }
+  static cohesion::contact::Material material(const Parameters& p) { return p.material; }
   static const char* material_words(const cohesion::contact::ContactParameters&);
-  static std::string doubt(const LAMMPS* lmp, const Parameters& p) {
-    return cohesion::advice::above_hamaker_constants(p.hamaker.hamaker_constant, si_units(lmp));
-  }
+  static std::string doubt(const LAMMPS*, const Parameters&);
   /// With the adhesion scaled to the stiffness when that is wished; what was done is printed, where
   /// it is not what was printed last of `where`.
   Parameters scaled(LAMMPS*, const std::string& where, Parameters);

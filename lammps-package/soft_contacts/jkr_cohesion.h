@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/known_materials.h"
 #include "contact/jkr_spring_dashpot.h"
 #include "contact_solver/jkr_solver.h"
 #include "input/material_keywords.h"
@@ -17,7 +18,7 @@ namespace LAMMPS_NS {
 
 /// JKR's contact as gran/jkr and wall/gran/jkr take it: the contact has all numbers of JKR's, and
 /// the law is the material that it stands for.
-class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
+class JkrCohesion : public CohesionLaw<cohesion::contact::Material> {
  public:
   static constexpr char STYLE[] = "gran/jkr";
   /// None is without it.
@@ -54,7 +55,7 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
                                                             p.contact.work_of_adhesion);
   }
 
-  static cohesion::advice::Material material(const Parameters& p) { return p.law; }
+  static cohesion::contact::Material material(const Parameters& p) { return p.law; }
   static const char* material_words(const cohesion::contact::ContactParameters& contact) {
     return LAMMPS_NS::material_words(contact);
   }
@@ -64,12 +65,12 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
   }
   /// With the work of adhesion scaled to the modulus; what was done is printed.
   Parameters scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
-    namespace advice = cohesion::advice;
-    const double modulus = advice::stiffness_of(p.contact), real = p.contact.work_of_adhesion;
+    namespace contact = cohesion::contact;
+    const double modulus = contact::stiffness_of(p.contact), real = p.contact.work_of_adhesion;
     p.contact.work_of_adhesion =
-        from_script(lmp, where, [&] { return advice::for_stiffness(modulus, p.law, real); });
+        from_script(lmp, where, [&] { return contact::for_stiffness(modulus, p.law, real); });
     notes_.print(lmp, where,
-                 advice::scaling_note(modulus, p.law, real, p.contact.work_of_adhesion));
+                 contact::scaling_note(modulus, p.law, real, p.contact.work_of_adhesion));
     return p;
   }
   Law law(LAMMPS*, const std::string&, const Parameters& p) const {
@@ -91,7 +92,7 @@ class JkrCohesion : public CohesionLaw<cohesion::advice::Material> {
   }
 
  private:
-  static cohesion::advice::Material& material_of(Parameters& p) { return p.law; }
+  static cohesion::contact::Material& material_of(Parameters& p) { return p.law; }
 
   ScalingNotes notes_;
 };

@@ -2,9 +2,9 @@
 #include "soft_contacts/pair_gran_cohesive.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
+#include "advice/warning_filter.h"
 #include "atom.h"
 #include "common/engine_api.h"
 #include "common/plausible_sizes.h"
@@ -28,6 +28,7 @@ template <class Cohesion>
 PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
     : Pair(lammps),
       coefficients(lammps),
+      advice_filter(std::make_unique<cohesion::advice::WarningFilter>()),
       close_pairs(lammps),
       largest_range(0.0),
       friction(false),
@@ -35,7 +36,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       needs_list(true),
       history_stale(false),
       per_pair(0),
-      step(nullptr),
+      contact_step(nullptr),
       history(lammps, Cohesion::STYLE) {
   single_enable = 1;
   restartinfo = 1;
@@ -78,7 +79,7 @@ void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR,
                coefficients.message_prefix() + " acts between spheres; use 'atom_style sphere'");
-  step = FixContactStep::of(lmp);
+  contact_step = FixContactStep::of(lmp);
   // pair_style hybrid of several versions of the engine copies these numbers beyond their end.
   if (force->pair == this && single_extra == 0) {
     svector = new double[SINGLE_EXTRA];
@@ -150,38 +151,6 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   largest_range = std::max(largest_range, range);
   close_pairs.start(largest_range + flight_allowance());
   return largest_radius[i] + largest_radius[j] + range + flight_allowance();
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::give_advice(const RunConditions& now, AdviceOfStyles& all) {
-  if (!Cohesion::HAS_CONTACT) return;
-  const std::string where = coefficients.message_prefix();
-  const auto contacts = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
-  all.add(where, "",
-          advice_of_contacts(lmp, where, limits_of(coefficients.scheme()), contacts, now,
-                             advice_filter));
-}
-
-/// The contacts between particles of the types of this style.
-template <class Cohesion>
-std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
-    const std::vector<LightestParticle>& lightest) const {
-  std::vector<AdvisedContact> contacts;
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      const LightestParticle &a = lightest[i], &b = lightest[j];
-      if (!coefficients.has(i, j)) continue;
-      if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
-      const int types = coefficients.pair_index(i, j);
-      contacts.push_back(
-          advised_contact(fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
-                          coefficients.template attraction<cohesion::contact::Adhesion>(
-                              types, a.radius, b.radius)));
-      contacts.back().material = coefficients.material(types);
-      contacts.back().material_words = Cohesion::material_words(coefficients.contact(types));
-      contacts.back().doubt = coefficients.doubt(types);
-    }
-  return contacts;
 }
 
 /* ---------------------------------------------------------------------- */

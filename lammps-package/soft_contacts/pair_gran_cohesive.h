@@ -4,17 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "common/bound_pairs.h"
 #include "contact_solver/exact_contact.h"
+#include "contact_step/advised_style.h"
 #include "contact_step/close_pairs.h"
 #include "contact_step/contact_forces.h"
 #include "input/cohesive_coefficients.h"
 #include "pair.h"
 #include "sampled_contact/sampled_contact.h"
-#include "soft_contacts/contact_advice.h"
 #include "soft_contacts/pair_history.h"
 #include "update.h"
 
@@ -86,13 +87,11 @@ class PairGranCohesive : public Pair,
   bool is_exact_scheme() const override {
     return is_active && coefficients.scheme() == Scheme::exact;
   }
-  cohesion::advice::StickingRules sticking_rules() const override {
-    return coefficients.sticking_rules(atom->ntypes);
-  }
+  cohesion::advice::StickingRules sticking_rules() const override;
   bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
   void continue_run() override;
   void renumber(const Renumbering& renumbering) override { history.renumber(renumbering); }
-  void give_advice(const RunConditions&, AdviceOfStyles&) override;
+  void give_advice(const cohesion::advice::RunConditions&, AdviceOfStyles&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);
   }
@@ -124,7 +123,7 @@ class PairGranCohesive : public Pair,
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>
-  int contact(Contacts<Contact>&, const StaggeredParticles&, int i, int j);
+  int contact_index(Contacts<Contact>&, const StaggeredParticles&, int i, int j);
   template <class Contact>
   int new_contact(Contacts<Contact>&, int pair_index, int i, int j);
   StaggeredParticles particles() const;
@@ -161,10 +160,11 @@ class PairGranCohesive : public Pair,
   void repeat_forces();
   template <class What>
   void for_each_with_history(const What&);
-  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+  std::vector<cohesion::advice::AdvisedContact> advised_contacts(
+      const std::vector<cohesion::advice::LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
-  cohesion::advice::WarningFilter advice_filter;
+  std::unique_ptr<cohesion::advice::WarningFilter> advice_filter;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   ClosePairs close_pairs;                               // pairs that may touch in a step
@@ -174,21 +174,21 @@ class PairGranCohesive : public Pair,
   bool needs_list;                                      // whether any pair is visited in this run
   bool history_stale;  // no contact was computed since, so histories are out of date
   int per_pair;        // values per history (HistorySize); 0: not allocated yet
-  class FixContactStep* step;
+  class FixContactStep* contact_step;
   PairHistory history;
   bool warned_of_flight = false;  // in this run
 };
 
 template <class Cohesion>
 inline StaggeredParticles PairGranCohesive<Cohesion>::particles() const {
-  return {atom->x[0], atom->v[0], atom->omega[0], atom->type, step->bodies()};
+  return {atom->x[0], atom->v[0], atom->omega[0], atom->type, contact_step->bodies()};
 }
 
-/// The contact of a pair; consecutive pairs of equal particles share one. NONE: no fix moves either
-/// particle.
+/// The index of the contact of a pair; consecutive pairs of equal particles share one. NONE: no fix
+/// moves either particle.
 template <class Cohesion>
 template <class Contact>
-[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
+[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact_index(
     Contacts<Contact>& contacts, const StaggeredParticles& particles, int i, int j) {
   const int types = coefficients.pair_index(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
@@ -203,12 +203,12 @@ template <class Contact>
 [[gnu::noinline]] int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts,
                                                               int pair_index, int i, int j) {
   if (!moves(i, j)) return Contacts<Contact>::NONE;
-  const cohesion::contact_solver::Body a = step->body(i), b = step->body(j);
+  const cohesion::contact_solver::Body a = contact_step->body(i), b = contact_step->body(j);
   contacts.all.push_back(
-      step->contact<Contact>(coefficients.contact(pair_index),
-                             coefficients.template attraction<typename Contact::Attraction>(
-                                 pair_index, a.radius, b.radius),
-                             a, b));
+      contact_step->contact<Contact>(coefficients.contact(pair_index),
+                                     coefficients.template attraction<typename Contact::Attraction>(
+                                         pair_index, a.radius, b.radius),
+                                     a, b));
   return contacts.last[pair_index] = static_cast<int>(contacts.all.size()) - 1;
 }
 
@@ -220,7 +220,7 @@ double PairGranCohesive<Cohesion>::distance(int i, int j) const {
 /// Pairs of two particles that no fix moves have no contact.
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
-  return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;
+  return contact_step->body(i).inverse_mass != 0.0 || contact_step->body(j).inverse_mass != 0.0;
 }
 
 }  // namespace LAMMPS_NS

@@ -47,7 +47,7 @@ void PairGranCohesive<Cohesion>::forget_all() {
 /// gap, or the range of the law between its particles.
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::is_altered(int i, int j) const {
-  const AlteredParticles& altered = step->altered_particles();
+  const AlteredParticles& altered = contact_step->altered_particles();
   return coefficients.has_other_ranges() || altered.has_other_gap(i, j) ||
          coefficients.have_other_ranges(
              coefficients.pair_index(atom->type[i], atom->type[j]),
@@ -68,9 +68,10 @@ void PairGranCohesive<Cohesion>::find_in_range() {
           // The contact is needed only for pairs within the largest range.
           bool near = moves(i, j) && apart < atom->radius[i] + atom->radius[j] + largest_range;
           if (near) {
-            const auto& law = contacts.all[contact(contacts, particles(), i, j)];
-            near = is_inside(has_history, values) ? apart < law.bodies().distance() + law.range()
-                                                  : law.is_in_range(apart);
+            const auto& contact = contacts.all[contact_index(contacts, particles(), i, j)];
+            near = is_inside(has_history, values)
+                       ? apart < contact.bodies().distance() + contact.range()
+                       : contact.is_in_range(apart);
           }
           const ContactHistory known =
               (has_history ? ContactHistory::stored(values, per_pair) : ContactHistory())
@@ -95,10 +96,11 @@ void PairGranCohesive<Cohesion>::continue_run() {
   if (history_stale) forget_all();
   find_in_range();
   if (!friction) forget_springs();
-  if (!step->energy_tally.is_active()) return;
-  for_each_with_history([this](int, int j, const auto& law, const Vector3& separation,
+  if (!contact_step->energy_tally.is_active()) return;
+  for_each_with_history([this](int, int j, const auto& contact, const Vector3& separation,
                                const ContactHistory& known) {
-    step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, law.stored(separation, known));
+    contact_step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5,
+                                            contact.stored(separation, known));
   });
 }
 
@@ -115,12 +117,12 @@ void PairGranCohesive<Cohesion>::forget_springs() {
 /// since the first step begins with all forces of the last one.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::repeat_forces() {
-  for_each_with_history([this](int i, int j, const auto& law, const Vector3& separation,
+  for_each_with_history([this](int i, int j, const auto& contact, const Vector3& separation,
                                const ContactHistory& known) {
-    const auto forces = forces_of(law, separation, known, step->forces_length());
-    step->repeat_forces(i, j, forces);
+    const auto forces = forces_of(contact, separation, known, contact_step->forces_length());
+    contact_step->repeat_forces(i, j, forces);
     if (!evflag) return;
-    const StoredEnergies stored = law.stored(separation, known);
+    const StoredEnergies stored = contact.stored(separation, known);
     ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, -forces.impulse.x,
                  -forces.impulse.y, -forces.impulse.z, -separation.x, -separation.y, -separation.z);
   });
@@ -136,7 +138,7 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
         for_each_listed([&](int i, int j, int has_history, double* values) {
           if (!has_history || !moves(i, j)) return;
           ContactState::restore_signs(values);
-          what(i, j, contacts.all[contact(contacts, particles(), i, j)],
+          what(i, j, contacts.all[contact_index(contacts, particles(), i, j)],
                particles().relative_state(i, j).separation,
                ContactHistory::stored(values, per_pair));
         });
@@ -176,9 +178,10 @@ double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, do
   ContactState::restore_signs(values.data());
   const ContactOutput found = std::visit(
       [&](auto& contacts) {
-        return output_of(contacts.all[contact(contacts, particles(), i, j)],
+        return output_of(contacts.all[contact_index(contacts, particles(), i, j)],
                          particles().relative_state(i, j).separation,
-                         ContactHistory::stored(values.data(), per_pair), step->forces_length());
+                         ContactHistory::stored(values.data(), per_pair),
+                         contact_step->forces_length());
       },
       any_contacts);
   over_distance = found.force / std::sqrt(rsq);

@@ -31,11 +31,11 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     history_stale = true;
     return;
   }
-  if (step->resumes()) {
+  if (contact_step->resumes()) {
     repeat_forces();
     return;
   }
-  step->compute_contacts([this] {
+  contact_step->compute_contacts([this] {
     begin_step();
     with_contacts([this](auto& contacts, auto size) { compute_contacts<size>(contacts); });
   });
@@ -63,7 +63,7 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::begin_step() {
   if (history_stale) forget_all();
   if (neighbor->ago == 0) check_radii(lmp, coefficients.message_prefix(), largest_radius);
-  if (step->starts()) require_distinct_places();
+  if (contact_step->starts()) require_distinct_places();
   find_close();
 }
 
@@ -78,16 +78,16 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_close() {
   // Both particles fly a whole step. The sampled scheme finds them as far beyond the edge.
   constexpr double flights = 4.0;
-  const double flown = flights * step->flight(), always = flight_allowance();
+  const double flown = flights * contact_step->flight(), always = flight_allowance();
   const double at_most = always + neighbor->skin;
   const double now = neighbor->ago == 0 ? at_most : always;
   if (flown > now) stop_at_flight(flown / flights, now / flights);
-  if (flown > 0.5 * always) step->next_reneighbor = update->ntimestep + 1;
+  if (flown > 0.5 * always) contact_step->next_reneighbor = update->ntimestep + 1;
   if (flown > 0.7 * at_most) warn_of_flight(flown / flights, at_most / flights);
   const double reach = largest_range + flown;
   close_pairs.allow(largest_range + (flown > always ? at_most : always));
   // flight() is that of half a step.
-  close_pairs.update(*list, reach, 2.0 * step->flight(), step->version_of_radii(),
+  close_pairs.update(*list, reach, 2.0 * contact_step->flight(), contact_step->version_of_radii(),
                      {history->firstflag, history->firstvalue, per_pair});
 }
 
@@ -120,7 +120,7 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
   // A loop for each normal law, of results that stay in registers; one for laws that differ and for
   // steps with momentum fluxes.
-  if (Contact::is_exact && !step->sums_flux() && coefficients.only_law()) {
+  if (Contact::is_exact && !contact_step->sums_flux() && coefficients.only_law()) {
     switch (*coefficients.only_law()) {
       case contact::LawKind::linear:
         return compute_by<SIZE, LinearContact>(contacts);
@@ -137,26 +137,26 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
 template <class Cohesion>
 template <int SIZE, class By, class Contact>
 void PairGranCohesive<Cohesion>::compute_by(Contacts<Contact>& contacts) {
-  const ContactForces<Contact, SIZE> forces(atom, step);
+  const ContactForces<Contact, SIZE> forces(atom, contact_step);
   const StaggeredParticles now = particles();
   const auto loop = [&](auto tallies) {
-    const bool full = evflag || step->energy_tally.is_read() || !forces.may_persist();
-    const bool sums_flux = std::is_same_v<By, ContactMotion> && step->sums_flux();
+    const bool full = evflag || contact_step->energy_tally.is_read() || !forces.may_persist();
+    const bool sums_flux = std::is_same_v<By, ContactMotion> && contact_step->sums_flux();
     close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
-      const int c = contact(contacts, now, i, j);
-      if (c == contacts.NONE) return hold(i, j, *pair.has_history, pair.history);
-      const Contact& law = contacts.all[c];
-      FrictionalStep does;
+      const int index = contact_index(contacts, now, i, j);
+      if (index == contacts.NONE) return hold(i, j, *pair.has_history, pair.history);
+      const Contact& contact = contacts.all[index];
+      FrictionalStep result;
       if (full || !*pair.has_history ||
-          !forces.template apply_persistent<By, tallies>(law, i, j, StaggeredPair{now, i, j},
-                                                         pair.history, does))
-        compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
+          !forces.template apply_persistent<By, tallies>(contact, i, j, StaggeredPair{now, i, j},
+                                                         pair.history, result))
+        compute_contact<SIZE>(forces, contact, i, j, *pair.has_history, pair.history);
       else if (sums_flux)
-        add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
+        add_flux(forces.owned_fraction(j), now.motion(i, j), contact, result);
     });
   };
-  if (step->energy_tally.is_active())
+  if (contact_step->energy_tally.is_active())
     loop(std::true_type());
   else
     loop(std::false_type());
@@ -166,8 +166,9 @@ template <class Cohesion>
 template <class Contact>
 [[gnu::noinline]] void PairGranCohesive<Cohesion>::add_flux(double fraction, const PairMotion& now,
                                                             const Contact& c,
-                                                            const FrictionalStep& does) {
-  step->flux.add(fraction, now.relative.separation, does.action.impulse, c.by_contact(now, does));
+                                                            const FrictionalStep& result) {
+  contact_step->flux.add(fraction, now.relative.separation, result.action.impulse,
+                         c.by_contact(now, result));
 }
 
 /// Computes a pair in a step with output as in any other step, with what it stores. Returns false
@@ -180,18 +181,19 @@ bool PairGranCohesive<Cohesion>::read_persistent(const ContactForces<Contact, SI
   const StaggeredParticles now = particles();
   double before[SIZE];
   std::copy_n(values, SIZE, before);
-  FrictionalStep does;
+  FrictionalStep result;
   const StaggeredPair pair{now, i, j};
-  const bool tallies = step->energy_tally.is_active();
+  const bool tallies = contact_step->energy_tally.is_active();
   if (!(tallies
-            ? forces.template apply_persistent<ContactMotion, true>(c, i, j, pair, values, does)
-            : forces.template apply_persistent<ContactMotion, false>(c, i, j, pair, values, does)))
+            ? forces.template apply_persistent<ContactMotion, true>(c, i, j, pair, values, result)
+            : forces.template apply_persistent<ContactMotion, false>(c, i, j, pair, values,
+                                                                     result)))
     return false;
   const PairMotion motion = now.motion(i, j);
   const StoredEnergies stored = c.template stored_persistent<SIZE>(motion, before, values);
-  if (tallies) step->energy_tally.store(forces.owned_fraction(j), stored);
-  if (step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, does);
-  if (evflag) tally(i, j, motion.relative.separation, energy(stored), does.action.impulse);
+  if (tallies) contact_step->energy_tally.store(forces.owned_fraction(j), stored);
+  if (contact_step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, result);
+  if (evflag) tally(i, j, motion.relative.separation, energy(stored), result.action.impulse);
   return true;
 }
 
@@ -202,27 +204,29 @@ template <int SIZE, class Contact>
 [[gnu::noinline]] void PairGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& forces, const Contact& c, int i, int j, int& has_history,
     double* values) {
-  const bool reads = evflag || step->energy_tally.is_read();
+  const bool reads = evflag || contact_step->energy_tally.is_read();
   if (reads && has_history && read_persistent<SIZE>(forces, c, i, j, values)) return;
   const StaggeredParticles now = particles();
   ContactState::restore_signs(values);
-  ContactHistory known = has_history && !step->starts() ? ContactHistory::stored(values, SIZE)
-                                                        : ContactHistory::unknown();
+  ContactHistory known = has_history && !contact_step->starts()
+                             ? ContactHistory::stored(values, SIZE)
+                             : ContactHistory::unknown();
   if (known.normal.is_outside() &&
-      !c.within_reach(now.relative_state(i, j), step->moved_by_forces())) {
+      !c.within_reach(now.relative_state(i, j), contact_step->moved_by_forces())) {
     has_history = 0;
     return;
   }
   if (!has_history) std::fill_n(values, per_pair, 0.0);
   const PairMotion motion = now.motion(i, j);
   ContactEnergies energies;
-  const FrictionalStep does =
+  const FrictionalStep result =
       forces.apply(c, i, j, motion, {}, known,
-                   reads || step->energy_tally.is_active() ? &energies : nullptr, reads);
+                   reads || contact_step->energy_tally.is_active() ? &energies : nullptr, reads);
   known.store(values, SIZE);
   has_history = 1;
-  if (step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, does);
-  if (evflag) tally(i, j, motion.relative.separation, energy(energies.stored), does.action.impulse);
+  if (contact_step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, result);
+  if (evflag)
+    tally(i, j, motion.relative.separation, energy(energies.stored), result.action.impulse);
 }
 
 /// Leaves two particles that forces do not move in range of each other, unless a fix moves one
@@ -230,8 +234,8 @@ template <int SIZE, class Contact>
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::hold(int i, int j, int& has_history, double* values) const {
   if (!has_history) return;
-  const bool led = step->is_led(i) || step->is_led(j);
-  if (led && step->carries_along(i, particles().relative_state(i, j).velocity)) {
+  const bool led = contact_step->is_led(i) || contact_step->is_led(j);
+  if (led && contact_step->carries_along(i, particles().relative_state(i, j).velocity)) {
     has_history = 0;
     return;
   }
@@ -245,7 +249,7 @@ void PairGranCohesive<Cohesion>::hold(int i, int j, int& has_history, double* va
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, double energy,
                                        const Vector3& impulse) {
-  const Vector3 on_i = -step->impulses.kick() * impulse;
+  const Vector3 on_i = -contact_step->impulses.kick() * impulse;
   ev_tally_xyz(i, j, atom->nlocal, 0, energy, 0.0, on_i.x, on_i.y, on_i.z, -separation.x,
                -separation.y, -separation.z);
 }

@@ -136,7 +136,6 @@ inline Finding stability(const ContactNumbers& n) {
 
 /// The largest step [time] in which a particle with several contacts is steady.
 inline double steady_step(const ContactNumbers& n, bool plane) {
-  using contact_solver::ClosestPacking;
   const bool at_wall = !std::isfinite(n.parameters().radius_i + n.parameters().radius_j);
   return n.steady_step(at_wall ? ClosestPacking::at_wall()
                        : plane ? ClosestPacking::in_plane()

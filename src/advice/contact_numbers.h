@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "advice/closest_packing.h"
 #include "constants.h"
 #include "contact/adhesive_contact.h"
-#include "contact_solver/closest_packing.h"
 #include "contact_solver/damped_oscillator.h"
 #include "contact_solver/linear_contact.h"
 #include "validation.h"
@@ -100,7 +100,7 @@ class ContactNumbers {
   double stable_step() const { return 2.0 / (std::hypot(1.0, zeta_) + zeta_) / w0_; }
   /// Largest step [time] in which the discrete springs and dashpots of the exact scheme stay steady
   /// in this packing.
-  double steady_step(const contact_solver::ClosestPacking& packing) const {
+  double steady_step(const ClosestPacking& packing) const {
     double low = 0.0, high = pi / w0_;
     for (int k = 0; k < 50; k++) {
       const double dt = 0.5 * (low + high);
@@ -112,7 +112,7 @@ class ContactNumbers {
         if (may_be_taut)
           spring.stiffness =
               contact_solver::LinearContact::taut_stiffness(stiffness, spring.stiffness);
-        return contact_solver::squared_phase(spring, dt, inverse_mass);
+        return squared_phase(spring, dt, inverse_mass);
       };
       // At its largest overlap, Hertz's spring has dF/dx = 3/2 F/x and the dashpot c, where 4/5 F/x
       // and 4/5 c stand for them (power_law_spring.h). In a packing under tension all linear

@@ -30,7 +30,7 @@ struct AdvisedContact {
   LightestParticle i, j;
   ContactSprings springs;
   contact::Adhesion adhesion;
-  Material material = {};                ///< whose contact it stands for
+  contact::Material material = {};       ///< whose contact it stands for
   std::string_view material_words = {};  ///< by which a user tells it; empty: there are none
   std::string doubt = {};  ///< of the adhesion's numbers, before what would bear it; empty: none
 
@@ -51,7 +51,7 @@ struct AdvisedContact {
 
 /// K of a linear spring, or E*.
 inline double stiffness_of(const ContactSprings& s) {
-  return s.exponent == linear_power ? s.stiffness : s.modulus;
+  return s.exponent == contact::linear_power ? s.stiffness : s.modulus;
 }
 
 /// How many contacts a particle of a run may have at a time.

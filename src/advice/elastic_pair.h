@@ -6,9 +6,9 @@
 
 #include "advice/contact_advice.h"
 #include "advice/integrated_escape.h"
-#include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
 #include "contact/contact_parameters.h"
+#include "contact/stiffness_scaling.h"
 
 /// Two particles, or a particle and a wall, in Hertz's or JKR's contact: the numbers that a run is
 /// planned by. Any consistent set of units.
@@ -80,14 +80,14 @@ class ElasticPair {
 
   /// As soft as E* [force/length^2], with the adhesion that keeps of this what is asked
   /// (StiffnessScaling).
-  ElasticPair softened(double modulus, Keep keep) const {
-    const Material real{contact_.modulus, keep, hertz_power};
+  ElasticPair softened(double modulus, contact::Keep keep) const {
+    const contact::Material real{contact_.modulus, keep, contact::hertz_power};
     contact::ContactParameters soft = contact_;
     soft.modulus = modulus;
     soft.work_of_adhesion = for_stiffness(modulus, real, contact_.work_of_adhesion);
     const bool scales = is_scaled(real, modulus) && adhesion_.force > 0.0;
     return {soft, radius_, mass_,
-            scales ? StiffnessScaling(real, modulus).adhesion(adhesion_) : adhesion_};
+            scales ? contact::StiffnessScaling(real, modulus).adhesion(adhesion_) : adhesion_};
   }
 
  private:

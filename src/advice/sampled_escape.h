@@ -45,7 +45,7 @@ bool parts(const Pair& pair, const HeadOnStart& start, double step) {
   bool inside = start.inside, parting = false;
   for (long steps = 0; steps < 10'000'000; steps++) {
     if (inside || pair.within_reach(grid, window)) {
-      const contact_solver::PairStep now = pair.advance(grid, window, inside);
+      const sampled_contact::PairStep now = pair.advance(grid, window, inside);
       inside = now.inside;
       grid.velocity += now.velocity_change;
     } else if (parting) {

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "advice/contact_numbers.h"
-#include "advice/stiffness_scaling.h"
 #include "contact/adhesive_contact.h"
 #include "contact/linear_spring_dashpot.h"
+#include "contact/stiffness_scaling.h"
 
 /// What the softness of a spring changes of a cohesive contact, and what to say of it.
 /// See docs/theory/soft_springs.md.
@@ -24,10 +24,10 @@ struct OverMaterial {
 /// escape velocity that it has with another; with that of its material scaled to it, it has the
 /// material's (StiffnessScaling). Throws InvalidParameter unless the material is given.
 template <class EscapeOf>
-OverMaterial over_material(const Material& material, double stiffness,
+OverMaterial over_material(const contact::Material& material, double stiffness,
                            const contact::Adhesion& used, const EscapeOf& escape_of) {
-  const StiffnessScaling scaling(material, stiffness);
-  if (material.keep == Keep::escape_velocity) return {1.0, scaling.factor()};
+  const contact::StiffnessScaling scaling(material, stiffness);
+  if (material.keep == contact::Keep::escape_velocity) return {1.0, scaling.factor()};
   const double escape = escape_of(used);
   const bool both_part = escape > 0.0 && std::isfinite(escape);
   return {both_part ? escape / escape_of(scaling.adhesion(used)) : 1.0, 1.0};
@@ -35,7 +35,7 @@ OverMaterial over_material(const Material& material, double stiffness,
 
 /// Of a linear contact.
 inline OverMaterial over_material(const contact::AdhesiveContact& contact,
-                                  const Material& material) {
+                                  const contact::Material& material) {
   return over_material(
       material, contact.spring().stiffness(), contact.adhesion(),
       [&](const contact::Adhesion& adhesion) {

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 
 /// A wall decides by other rules than the pairs which particles stick: what to say of that.
 namespace cohesion::advice {
 
 /// How much softer than its material a contact is that attracts.
 struct Softening {
-  Material material;  ///< given or not
-  double stiffness;   ///< of the contact, what Material::stiffness is of its material
+  contact::Material material;  ///< given or not
+  double stiffness;            ///< of the contact, what Material::stiffness is of its material
 
   double ratio() const { return stiffness / material.stiffness; }
   /// f of StiffnessScaling.
-  double factor() const { return StiffnessScaling(material, stiffness).factor(); }
+  double factor() const { return contact::StiffnessScaling(material, stiffness).factor(); }
 };
 
 /// What decides in the contacts of a pair style, or of a wall, which particles stick.
@@ -48,7 +48,8 @@ inline bool alike(const Softening& a, const Softening& b) {
   if (a.material.is_specified() && b.material.is_specified())
     return std::abs(a.factor() / b.factor() - 1.0) <= same_factor;
   const Softening& given = a.material.is_specified() ? a : b;
-  return !given.material.is_specified() || given.material.keep == Keep::force || !is_soft(given);
+  return !given.material.is_specified() || given.material.keep == contact::Keep::force ||
+         !is_soft(given);
 }
 
 inline std::string numbers(const Softening& s) {
@@ -63,7 +64,7 @@ inline std::string numbers(const Softening& s) {
 inline std::string softening_cure(const Softening& wall, const Softening& pair) {
   std::ostringstream out;
   out.precision(3);
-  const bool linear = wall.material.exponent == linear_power;
+  const bool linear = wall.material.exponent == contact::linear_power;
   const double times = std::pow(pair.factor() / wall.factor(), wall.material.exponent + 1.0);
   out << "give both the same f: multiply " << (linear ? "the stiffness" : "Young's modulus")
       << " of the wall by " << times;

@@ -33,6 +33,9 @@ namespace cohesion::contact_solver {
 /// Source: derived here, see docs/theory/exact_contacts.md.
 class ContactSolver : public PairCourse {
  public:
+  /// Whether no force acts on pairs in range that are clear of contact and edge: is_clear().
+  static constexpr bool may_be_idle = false;
+
   /// contact_distance [length]: of the centres at touch, or the radius next to a wall; step [time].
   ContactSolver(const contact::NormalLaw& law, const contact::Adhesion& adhesion,
                 double contact_distance, double step)
@@ -70,10 +73,10 @@ class ContactSolver : public PairCourse {
   [[gnu::always_inline]] bool advance_persistent(const Contact& by, const DistanceMotion& now,
                                                  double touch_energy, ContactState& state,
                                                  PersistentStep& step) const {
-    const double load = load_of(now.rate, state.last_rate, state.force);
+    const double outward = outward_of(now.rate, state.last_rate, state.force);
     ContactPoint point{contact_distance() - now.distance, now.rate};
-    if (!by.advance_persistent(point, load, now, state, touch_energy, step)) return false;
-    go_on(now.rate, load - now.centrifugal, step, state);
+    if (!by.advance_persistent(point, outward, now, state, touch_energy, step)) return false;
+    go_on(now.rate, outward - now.centrifugal, step, state);
     return true;
   }
 
@@ -154,17 +157,18 @@ class ContactSolver : public PairCourse {
     const bool first = velocity_step < step();
     bool in_range = before.in_range();
     // Before the first step of a run nothing has moved.
-    const bool stands = before.phase == ContactState::held ||
-                        ((first ? before.is_outside() : before.phase == ContactState::unknown) &&
-                         at.stands_within(entry_distance(), first ? 0.0 : step()));
-    if (stands) in_range = true;
+    const bool found_in_range =
+        before.phase == ContactState::held ||
+        ((first ? before.is_outside() : before.phase == ContactState::unknown) &&
+         at.stands_within(entry_distance(), first ? 0.0 : step()));
+    if (found_in_range) in_range = true;
     Flight now{at.distance, first ? at.rate : true_rate(at, external, before), at.sideways};
     const Flight start = now;
-    const double load = outward(start, external);
-    const double account = first || stands ? EnergyAccount::at_start(stored(at, in_range))
-                                           : account_up_to(at, external, before);
-    const bool touches = in_range && stays_in_contact(now, load, result.normal);
-    const bool event = !touches && move(now, external, in_range, result.normal);
+    const double outward = outward_acceleration(start, external);
+    const double account = first || found_in_range ? EnergyAccount::at_start(stored(at, in_range))
+                                                   : account_up_to(at, external, before);
+    const bool touches = in_range && stays_in_contact(now, outward, result.record);
+    const bool event = !touches && move(now, external, in_range, result.record);
     const bool flies = !touches && !event;
     state = {};
     state.phase = in_range ? ContactState::inside : ContactState::outside;
@@ -184,7 +188,7 @@ class ContactSolver : public PairCourse {
     if (flies && !before.in_range() && settles(at, external, account, before, result.force))
       state.phase = ContactState::settling;
     if (event) state.phase = in_range ? ContactState::entered : ContactState::left;
-    if (result.normal.contact_time >= step()) state.phase = ContactState::touching;
+    if (result.record.contact_time >= step()) state.phase = ContactState::touching;
     // Of the distance, along the normal at the next time level.
     const double staggered = (along * mean + across * at.sideways) / now.distance;
     if (!flies) state.velocity_offset = now.radial - staggered - 0.5 * step() * external;
@@ -192,10 +196,10 @@ class ContactSolver : public PairCourse {
     state.force = result.force;
     state.force_before = persistent_force(before);
     state.external_before = external;
-    state.contact_time = result.normal.contact_time;
+    state.contact_time = result.record.contact_time;
     result.dissipated = std::visit(
         [&](const auto& c) {
-          return c.early_dissipation(result.normal.dissipated, state.contact_time, staggered);
+          return c.early_dissipation(result.record.dissipated, state.contact_time, staggered);
         },
         contact());
     state.account = account +
@@ -203,8 +207,8 @@ class ContactSolver : public PairCourse {
                            : account_.work(result.force, at)) +
                     result.dissipated;
     // What the discrete force does later or earlier than the motion counts as the spring's.
-    const double true_force = reduced_mass_ * ((now.radial - start.radial) / step() - load);
-    result.repulsion = result.normal.repulsion_impulse / step() + result.force - true_force;
+    const double true_force = reduced_mass_ * ((now.radial - start.radial) / step() - outward);
+    result.repulsion = result.record.repulsion_impulse / step() + result.force - true_force;
     return result;
   }
 
@@ -239,11 +243,11 @@ class ContactSolver : public PairCourse {
       result.force = next.force;
       result.repulsion = next.repulsion;
     } else {
-      const double load = outward({now.distance, now.rate, now.sideways}, external);
+      const double outward = outward_acceleration({now.distance, now.rate, now.sideways}, external);
       const ContactPoint here = point(now);
       PersistentStep first;
       const bool begins = std::visit(
-          [&](const auto& c) { return c.begin_persistent(here, load, now, state, first); },
+          [&](const auto& c) { return c.begin_persistent(here, outward, now, state, first); },
           contact());
       if (!begins) return false;
       first.account += state.is_new() ? EnergyAccount::at_start(stored(now, true))
@@ -253,14 +257,14 @@ class ContactSolver : public PairCourse {
       result.repulsion = first.repulsion;
       go_on(here.rate, external, first, state);
     }
-    result.normal.contact_time = step();
-    result.normal.repulsion_impulse = step() * result.repulsion;
-    result.normal.repulsion_at_end = result.repulsion;
+    result.record.contact_time = step();
+    result.record.repulsion_impulse = step() * result.repulsion;
+    result.record.repulsion_at_end = result.repulsion;
     return true;
   }
 
   /// What the other forces and the turning do to the distance of a persistent contact.
-  double load_of(double mean_rate, double last_rate, double force) const {
+  double outward_of(double mean_rate, double last_rate, double force) const {
     return (mean_rate - last_rate) * inverse_step_ - force * inverse_mass_;
   }
   [[gnu::always_inline]] void go_on(double rate, double external, PersistentStep& result,
@@ -283,7 +287,7 @@ class ContactSolver : public PairCourse {
     return gave_impulse(state) ? 0.0 : state.force;
   }
 
-  /// The energy in the contact of a pair that stands where it is first seen.
+  /// The energy in the contact of a pair at the position where it is first found.
   double stored(const StaggeredMotion& now, bool in_range) const {
     if (!in_range) return 0.0;
     const double overlap = contact_distance() - now.distance;
@@ -294,11 +298,11 @@ class ContactSolver : public PairCourse {
   /// for half a step and the stored offset; in a persistent contact by its law.
   double true_rate(const StaggeredMotion& now, double external, const ContactState& state) const {
     if (!state.is_persistent()) return now.rate + state.velocity_offset + 0.5 * step() * external;
-    const double load = outward({now.distance, now.rate, now.sideways}, external);
+    const double outward = outward_acceleration({now.distance, now.rate, now.sideways}, external);
     const ContactPoint here = point(now);
     return std::visit(
         [&](const auto& c) {
-          return c.true_rate(here, now, load, state, adhesion_energy(here.overlap));
+          return c.true_rate(here, now, outward, state, adhesion_energy(here.overlap));
         },
         contact());
   }

@@ -16,7 +16,7 @@ struct ContactState {
     inside,      ///< in range without contact, nothing pending but in the account
     touching,    ///< in contact throughout the last step, which was resolved
     settling,    ///< out of range, the energy account is not closed
-    unknown,     ///< no state was stored: the contact is seen for the first time where it stands
+    unknown,     ///< no state was stored: the contact begins at its present position
     taut,        ///< persistent, with the stiffer spring of a contact under tension
     held         ///< in range of a partner, and nothing could move either of them in the last step
   };
@@ -111,7 +111,7 @@ struct ContactStep {
   double repulsion = 0.0;  ///< the part of spring and dashpot, [force]
   /// Dissipation of a resolved step, as far as it is known before the next time level, [energy].
   double dissipated = 0.0;
-  NormalRecord normal{};
+  NormalRecord record{};
 };
 
 }  // namespace cohesion::contact_solver

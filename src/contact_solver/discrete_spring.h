@@ -3,7 +3,8 @@
 
 #include "contact/tangential_spring.h"
 #include "contact_solver/damped_oscillator.h"
-#include "contact_solver/pair_step.h"
+#include "contact_solver/motion_along_normal.h"
+#include "contact_solver/relative_state.h"
 
 namespace cohesion::contact_solver {
 

@@ -66,8 +66,8 @@ class EnergyAccount {
   /// Sets the force so that a pair with the account `r` flies on at the speed that closes it, but
   /// at no less than half of its speed under `force`. Returns false where the account has to be
   /// closed later: the energy does not suffice, or the pair comes back and keeps its force.
-  bool settle(const StaggeredMotion& now, double load, double r, double& force) const {
-    const double speed = now.rate + 0.5 * step_ * load;
+  bool settle(const StaggeredMotion& now, double external, double r, double& force) const {
+    const double speed = now.rate + 0.5 * step_ * external;
     if (!(speed > 0.0)) return false;
     // A speed near 0 would be the root of a small difference, which amplifies round-off: the two
     // copies of a pair across a periodic face would move apart.

@@ -11,7 +11,6 @@
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/normal_energies.h"
-#include "contact_solver/square_well_solver.h"
 
 namespace cohesion::contact_solver {
 
@@ -24,8 +23,9 @@ namespace cohesion::contact_solver {
 /// Momentum and angular momentum are conserved to round-off. Pairs of equal bodies can share an
 /// object: it contains only what does not change from step to step.
 ///
-/// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver, JkrSolver or WellEdgeSolver. SIZE:
-/// the stored numbers, which decide whether there is friction and rolling friction.
+/// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver, JkrSolver or WellEdgeSolver. The
+/// template parameter SIZE of functions is the number of stored values (ContactHistory::Size): it
+/// decides whether there is friction and rolling friction.
 template <class Solver>
 class ExactContact {
  public:
@@ -86,7 +86,7 @@ class ExactContact {
   template <class Motion>
   [[gnu::always_inline]] bool is_idle(const Motion& motion, const double* values,
                                       double flown) const {
-    if constexpr (std::is_base_of_v<SquareWellSolver, Solver>) {
+    if constexpr (Solver::may_be_idle) {
       if (!ContactState::is_idle(values)) return false;
       const RelativeState now = motion.relative();
       return solver_.is_clear(dot(now.separation, now.separation),
@@ -97,10 +97,10 @@ class ExactContact {
   }
 
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
-  /// so, and adds what it does to `step`. Returns false, and does nothing, where that
-  /// is not certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has; `values`:
-  /// the stored history; `By`: the alternative of ContactMotion that moves the contact, or that
-  /// itself, if it is not known; `energies`: without stored ones, may be null.
+  /// so, and adds its impulses to `step`. Returns false, and changes nothing, where
+  /// that is not certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has;
+  /// `values`: the stored history; `By`: the alternative of ContactMotion that moves the contact,
+  /// or that itself, if it is not known; `energies`: without stored ones, may be null.
   template <int SIZE, class By, class Motion>
   [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
                                                  FrictionalStep& step,
@@ -155,7 +155,7 @@ class ExactContact {
     const double velocity_step = first ? 0.5 * step_ : step_;
     const ContactStep normal = solver_.advance(at, external, velocity_step, history.normal);
     step.repulsion = velocity_step * normal.repulsion;
-    step.unresolved = normal.normal.unresolved;
+    step.unresolved = normal.record.unresolved;
     step.action.impulse = (velocity_step * normal.force * inverse) * s;
     if (solver_.gave_impulse(history.normal)) step.at_edge = step.action.impulse;
     const Normal n{before,
@@ -175,32 +175,9 @@ class ExactContact {
     }
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
-      Spring of_sliding;
-      step.friction = advance(sliding_, touch,
-                              touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j),
-                              {}, n, history.sliding, energies ? &of_sliding : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
-      if (energies) {
-        energies->stored.tangential_spring = of_sliding.stored;
-        energies->before.tangential_damping = of_sliding.before.damped;
-        energies->after.tangential_damping = of_sliding.after.damped;
-      }
-      if constexpr (SIZE >= ContactHistory::with_rolling) {
-        Spring of_rolling;
-        // Friction has turned the spheres by this much in the middle of a resolved step.
-        const Vector3 turned =
-            touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
-                                   bodies_.inverse_inertia_j() * step.action.torque_j);
-        touch.add_rolling_impulse(
-            advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n,
-                    history.rolling, energies ? &of_rolling : nullptr),
-            step.action);
-        if (energies) {
-          energies->stored.rolling_spring = of_rolling.stored;
-          energies->before.rolling = of_rolling.before.all;
-          energies->after.rolling = of_rolling.after.all;
-        }
-      }
+      add_sliding(now, touch, n, history.sliding, step, energies);
+      if constexpr (SIZE >= ContactHistory::with_rolling)
+        add_rolling(now, touch, n, history.rolling, step, energies);
     }
     return step;
   }
@@ -237,8 +214,9 @@ class ExactContact {
   /// Stored energies at a time level between two runs.
   StoredEnergies stored(const Vector3& separation, const ContactHistory& history) const {
     const double distance = norm(separation), overlap = bodies_.distance() - distance;
-    const bool stands = history.normal.phase == ContactState::unknown && is_in_range(distance);
-    if (!history.normal.in_range() && !stands) return {};
+    const bool found_in_range =
+        history.normal.phase == ContactState::unknown && is_in_range(distance);
+    if (!history.normal.in_range() && !found_in_range) return {};
     return {
         solver_.spring_energy(overlap), sliding_.stored_energy(overlap, history.sliding.stretch),
         rolling_.stored_energy(overlap, history.rolling.stretch), solver_.adhesion_energy(overlap)};
@@ -257,14 +235,14 @@ class ExactContact {
     const double rate = inverse * dot(s, v);
     DistanceMotion motion =
         DistanceMotion::of_pair(square * inverse, inverse, rate, dot(v, v), step_);
-    PersistentStep does;
+    PersistentStep result;
     ContactState normal = ContactState::stored_persistent(values);
-    if (!solver_.advance_persistent(by, motion, touch_energy_, normal, does) || does.taut)
+    if (!solver_.advance_persistent(by, motion, touch_energy_, normal, result) || result.taut)
       return false;
     normal.store_persistent(values);
-    if (energies) set_persistent_losses(does, *energies);
-    step.repulsion = step_ * does.repulsion;
-    step.action.impulse = (step_ * does.force * inverse) * s;
+    if (energies) set_persistent_losses(result, *energies);
+    step.repulsion = step_ * result.repulsion;
+    step.action.impulse = (step_ * result.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       constexpr bool linear = std::is_same_v<By, LinearContact>;
       auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
@@ -272,13 +250,13 @@ class ExactContact {
       const double overlap_before = bodies_.distance() - motion.distance + step_ * motion.rate;
       DiscreteSpring::Losses slid, rolled;
       step.friction = sliding_.persistent_impulse<linear>(
-          touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), does,
+          touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), result,
           overlap_before, values + ContactHistory::normal_only, energies ? &slid : nullptr);
       touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<linear>(
-                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), does,
+                touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), result,
                 overlap_before, values + ContactHistory::with_friction,
                 energies ? &rolled : nullptr),
             step.action);
@@ -337,6 +315,39 @@ class ExactContact {
     return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
   }
 
+  /// Adds impulse and energies of sliding friction.
+  void add_sliding(const PairMotion& now, const ContactBodies::Touch& touch, const Normal& n,
+                   DiscreteSpring::State& state, FrictionalStep& step,
+                   ContactEnergies* energies) const {
+    Spring spring;
+    step.friction = advance(sliding_, touch,
+                            touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j),
+                            {}, n, state, energies ? &spring : nullptr);
+    touch.add_sliding_impulse(step.friction, step.action);
+    if (!energies) return;
+    energies->stored.tangential_spring = spring.stored;
+    energies->before.tangential_damping = spring.before.damped;
+    energies->after.tangential_damping = spring.after.damped;
+  }
+  /// The same of rolling friction, after sliding friction.
+  void add_rolling(const PairMotion& now, const ContactBodies::Touch& touch, const Normal& n,
+                   DiscreteSpring::State& state, FrictionalStep& step,
+                   ContactEnergies* energies) const {
+    Spring spring;
+    // Friction has turned the spheres by this much in the middle of a resolved step.
+    const Vector3 turned =
+        touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
+                               bodies_.inverse_inertia_j() * step.action.torque_j);
+    touch.add_rolling_impulse(
+        advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n, state,
+                energies ? &spring : nullptr),
+        step.action);
+    if (!energies) return;
+    energies->stored.rolling_spring = spring.stored;
+    energies->before.rolling = spring.before.all;
+    energies->after.rolling = spring.after.all;
+  }
+
   /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate
   /// by the other spring in the first half of a resolved step.
   Vector3 advance(const ContactSpring& contact_spring, const ContactBodies::Touch& touch,
@@ -384,7 +395,7 @@ class ExactContact {
   Vector3 resolve(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
                   const Vector3& stretch, const Vector3& rate, const Normal& n,
                   DiscreteSpring::State& state, Spring* energies) const {
-    if (!(n.step.normal.contact_time > 0.0)) {
+    if (!(n.step.record.contact_time > 0.0)) {
       const Vector3 half = 0.5 * state.impulse;
       if (energies) energies->after.all = spring.stored_energy(stretch);
       state = {};
@@ -393,7 +404,7 @@ class ExactContact {
     const Vector3 true_rate = rate + (0.5 * spring.inverse_mass()) * state.impulse;
     Vector3 mean;
     const contact::TangentialStep now =
-        spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
+        spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.record,
                        n.touches_at_end(), mean);
     const Vector3 impulse = 0.5 * (now.impulse + state.impulse);
     if (energies) energies->after = {now.damped + now.friction, now.damped};

@@ -13,8 +13,8 @@ struct FluxParts {
   enum Part { contact, adhesion, parts };
   std::array<MomentumFlux, parts> of{};
 
-  /// Adds `fraction` of one step of a pair that stands at `separation` on the grid. `on_j` is all
-  /// of the impulse on j [momentum], friction included, `by_contact` what is not adhesion's.
+  /// Adds `fraction` of one step of a pair that has this `separation` at the time level. `on_j` is
+  /// all of the impulse on j [momentum], friction included, `by_contact` what is not adhesion's.
   void add(double fraction, const Vector3& separation, const Vector3& on_j,
            const Vector3& by_contact) {
     add(contact, fraction, momentum_flux(separation, by_contact));

@@ -97,17 +97,17 @@ class IntegratedContact {
     return time;
   }
 
-  /// `load` contains the centrifugal acceleration. touch_energy [energy]: of the adhesion of a pair
-  /// that just touches.
-  [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
+  /// `outward` contains the centrifugal acceleration. touch_energy [energy]: of the adhesion of a
+  /// pair that just touches.
+  [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double outward,
                                                  const DistanceMotion& at,
                                                  const ContactState& state, double touch_energy,
                                                  PersistentStep& step) const {
     const Arrival here =
-        arrive(now, load, at.centrifugal, state, touch_energy - adhesion_ * now.overlap);
+        arrive(now, outward, at.centrifugal, state, touch_energy - adhesion_ * now.overlap);
     const double spring_and_dashpot = here.at.force - here.at.damping * here.discrete_rate;
     step.force = spring_and_dashpot - adhesion_;
-    if (!lasts(now.overlap, here.discrete_rate, load + step.force * inverse_mass_, load))
+    if (!lasts(now.overlap, here.discrete_rate, outward + step.force * inverse_mass_, outward))
       return false;
     step.repulsion = spring_and_dashpot + (friction_load_ - adhesion_);
     step.account = here.work + here.dissipated +
@@ -118,18 +118,18 @@ class IntegratedContact {
     step.radius_stiffness_before = here.radius_stiffness_before;
     return true;
   }
-  bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
+  bool begin_persistent(const ContactPoint& now, double outward, const StaggeredMotion& at,
                         const ContactState& state, PersistentStep& step) const {
     const double centrifugal = at.sideways * at.sideways / at.distance;
-    const double external = load - centrifugal;
+    const double external = outward - centrifugal;
     // A contact that is first seen at rest is there because of a load.
-    const bool stands = state.is_new();
-    const double rate = stands ? at.rate : at.rate + state.velocity_offset + 0.5 * step_ * external;
+    const bool is_new = state.is_new();
+    const double rate = is_new ? at.rate : at.rate + state.velocity_offset + 0.5 * step_ * external;
     const contact::LawPoint p = point(now.overlap);
     const double own = (p.force - p.damping * rate - adhesion_) * inverse_mass_;
-    const double borne = stands ? std::max(load, -own) : load;
+    const double borne = is_new ? std::max(outward, -own) : outward;
     if (!lasts(now.overlap, rate, own + borne, borne)) return false;
-    const double other = stands ? 0.5 * own : state.velocity_offset / step_;
+    const double other = is_new ? 0.5 * own : state.velocity_offset / step_;
     const double first = other + 0.5 * own - 0.125 * step_ * p.stiffness * inverse_mass_ * rate;
     step.force = reduced_mass_ * first;
     step.repulsion = friction_load_ + reduced_mass_ * own;
@@ -195,19 +195,20 @@ class IntegratedContact {
 
   Arrival arrive(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
                  double adhesion_energy) const {
-    const double load = (now.rate - state.last_rate) / step_ - state.force * inverse_mass_;
-    return arrive(now, load, at.sideways * at.sideways / at.distance, state, adhesion_energy);
+    const double outward = (now.rate - state.last_rate) / step_ - state.force * inverse_mass_;
+    return arrive(now, outward, at.sideways * at.sideways / at.distance, state, adhesion_energy);
   }
-  [[gnu::always_inline]] Arrival arrive(const ContactPoint& now, double load, double centrifugal,
+  [[gnu::always_inline]] Arrival arrive(const ContactPoint& now, double outward, double centrifugal,
                                         const ContactState& state, double adhesion_energy) const {
     const contact::LawPoint before = point(now.overlap + step_ * now.rate);
     Arrival here{point(now.overlap), 0.0, 0.0, 0.0, 0.0, 0.0, before.radius_stiffness};
     const double half = 0.5 * step_;
-    here.discrete_rate = (now.rate + half * ((here.at.force - adhesion_) * inverse_mass_ + load)) /
-                         (1.0 + half * inverse_mass_ * here.at.damping);
+    here.discrete_rate =
+        (now.rate + half * ((here.at.force - adhesion_) * inverse_mass_ + outward)) /
+        (1.0 + half * inverse_mass_ * here.at.damping);
     here.rate = here.discrete_rate;
     here.work = half * state.force * (now.rate - half * centrifugal);
-    const double others = now.rate + half * load;
+    const double others = now.rate + half * outward;
     here.energy_left =
         others * others -
         2.0 * inverse_mass_ * (state.account + here.work + here.at.energy + adhesion_energy);
@@ -238,8 +239,8 @@ class IntegratedContact {
   /// the step, and bears its load. Between two time levels it may dip below both, by half of the
   /// way at most.
   [[gnu::always_inline]] bool lasts(double overlap, double rate, double acceleration,
-                                    double load) const {
-    if (!(load < bearable_)) return false;
+                                    double outward) const {
+    if (!(outward < bearable_)) return false;
     const double change = step_ * acceleration;
     const double reach = overlap - lowest_;
     const double next_reach = reach - step_ * (rate + 0.5 * change);

@@ -88,7 +88,7 @@ class LinearContact {
   /// [length/time^2]: what pulls it apart. False, and nothing done, where that is not certain.
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
     if (!(s.x > 0.0)) return false;
-    const double drive = pull_ - resolved_load(outward);
+    const double drive = pull_ - resolved_outward(outward);
     const Overlap end = oscillator_.after(whole_step_, s, drive);
     if (!DampedOscillator::stays_positive(s, end)) return false;
     record_contact(s, end, whole_step_.time, drive, record);
@@ -96,7 +96,7 @@ class LinearContact {
   }
   /// Moves a contact for at most `time` [time], until it parts. Returns the time it took.
   double advance(Overlap& s, double time, double outward, NormalRecord& record) const {
-    const double drive = pull_ - resolved_load(outward);
+    const double drive = pull_ - resolved_outward(outward);
     const auto propagator = time == whole_step_.time ? whole_step_ : oscillator_.propagator(time);
     Overlap end = oscillator_.after(propagator, s, drive);
     const DampedOscillator::Zero zero = oscillator_.first_zero(s, drive, time, end);
@@ -109,26 +109,26 @@ class LinearContact {
   }
 
   /// The force of a contact that was in contact throughout the last step. False where it is not
-  /// certain to be in contact until the next time level under the `load` [length/time^2] of the
+  /// certain to be in contact until the next time level under the acceleration `outward` of the
   /// last step, or does not bear that load.
-  [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double load,
+  [[gnu::always_inline]] bool advance_persistent(const ContactPoint& now, double outward,
                                                  const DistanceMotion& at,
                                                  const ContactState& state, double /*touch_energy*/,
                                                  PersistentStep& step) const {
-    const bool taut = is_taut(now.overlap, load);
-    if (!force_of(now, taut, load, step)) return false;
+    const bool taut = is_taut(now.overlap, outward);
+    if (!force_of(now, taut, outward, step)) return false;
     set_dissipated(state.last_rate, now.rate, step);
     step.account += work_of_turning(step.force, state.force, at);
     if (taut || was_taut(state)) step.account += work_beyond_stored(now, was_taut(state), taut);
     return true;
   }
   /// The same in the first step after a resolved one.
-  bool begin_persistent(const ContactPoint& now, double load, const StaggeredMotion& at,
+  bool begin_persistent(const ContactPoint& now, double outward, const StaggeredMotion& at,
                         const ContactState& state, PersistentStep& step) const {
     // A contact that is first seen at rest under tension is there because of a load.
-    const bool stands = state.is_new();
-    const bool taut = is_taut(now.overlap, stands ? pull_ : load);
-    const double borne = stands ? std::max(load, -force(now, taut) * inverse_mass_) : load;
+    const bool is_new = state.is_new();
+    const bool taut = is_taut(now.overlap, is_new ? pull_ : outward);
+    const double borne = is_new ? std::max(outward, -force(now, taut) * inverse_mass_) : outward;
     if (!force_of(now, taut, borne, step)) return false;
     step.account =
         0.5 * whole_step_.time * step.force * at.rate + spring_potential(now.overlap, taut);
@@ -167,7 +167,7 @@ class LinearContact {
                    const ContactState&, double /*adhesion_energy*/) const {
     const double dt = whole_step_.time;
     const double before = std::hypot(at.distance - dt * at.rate, dt * at.sideways);
-    const double equilibrium = (pull_ - resolved_load(outward)) / oscillator_.w0_squared();
+    const double equilibrium = (pull_ - resolved_outward(outward)) / oscillator_.w0_squared();
     const double is = now.overlap - equilibrium, was = is + at.distance - before;
     const double rate = (is - whole_step_.xx * was) / whole_step_.xv;
     return -(whole_step_.vx * was + whole_step_.vv * rate);
@@ -195,16 +195,16 @@ class LinearContact {
   /// of a persistent contact: otherwise a contact that changes from one to the other would begin to
   /// swing, and spheres that bounce under their weight would gain energy. No contact bears more
   /// than F_ad, and a larger load acts unchanged.
-  double resolved_load(double outward) const {
+  double resolved_outward(double outward) const {
     const double slack = (1.0 - taut_part) * pull_ / weight_;
     if (!(pull_ > 0.0) || outward <= slack) return weight_ * outward;
     if (outward >= pull_) return outward;
     return pull_ * (1.0 - taut_part * (pull_ - outward) / (pull_ - slack));
   }
 
-  /// Whether a persistent contact is taut under the `load` [length/time^2] of the last step.
-  [[gnu::always_inline]] bool is_taut(double overlap, double load) const {
-    return overlap < taut_overlap_ && load > 0.5 * pull_;
+  /// Whether a persistent contact is taut under the acceleration `outward` of the last step.
+  [[gnu::always_inline]] bool is_taut(double overlap, double outward) const {
+    return overlap < taut_overlap_ && outward > 0.5 * pull_;
   }
   static bool was_taut(const ContactState& state) { return state.phase == ContactState::taut; }
 
@@ -233,14 +233,14 @@ class LinearContact {
   [[gnu::always_inline]] double force(const ContactPoint& now, bool taut) const {
     return spring_force(now.overlap, taut) - discrete_.damping * now.rate;
   }
-  [[gnu::always_inline]] bool force_of(const ContactPoint& now, bool taut, double load,
+  [[gnu::always_inline]] bool force_of(const ContactPoint& now, bool taut, double outward,
                                        PersistentStep& step) const {
-    if (!(load < bearable_)) return false;
+    if (!(outward < bearable_)) return false;
     const double dt = whole_step_.time;
     step.force = force(now, taut);
     step.repulsion = step.force + adhesion_;
     step.taut = taut;
-    const double change = dt * (step.force * inverse_mass_ + load);
+    const double change = dt * (step.force * inverse_mass_ + outward);
     // Between two time levels it may dip below both, by dt/8 of the change where what pulls is
     // constant.
     const double least = dt * (certain * std::abs(now.rate) + 0.25 * std::max(-change, 0.0));

@@ -55,7 +55,7 @@ inline bool bounces_too_fast(double speed, double outward, double step) {
 /// docs/theory/exact_contacts.md.
 class NormalMotion {
  public:
-  /// `step` [time]: the length of the steps that will be asked for most.
+  /// `step` [time]: the usual length of a step.
   NormalMotion(const contact::NormalLaw& law, const contact::Adhesion& adhesion, double step)
       : contact_(contact_motion(law, adhesion.force, step)),
         adhesion_(adhesion),
@@ -76,13 +76,13 @@ class NormalMotion {
   }
 
   /// Moves a contact that certainly lasts for the whole step, as advance() does. Returns false,
-  /// and does nothing, where that is not certain.
+  /// and changes nothing, where that is not certain.
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
     return std::visit([&](const auto& c) { return c.advance_whole_step(s, outward, record); },
                       contact_);
   }
 
-  /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
+  /// Advances a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2]: what
   /// pulls it apart, by its turning and by other forces. Adds what happened to `record`.
   double advance(Overlap& s, double time, double outward, bool& inside,
@@ -112,7 +112,7 @@ class NormalMotion {
   }
 
   /// Energy of the adhesion of a pair that counts as inside at overlap x, zero far away, [energy].
-  /// Beyond the range it still owes the tail.
+  /// Beyond the range that is the energy of the whole tail.
   double adhesion_energy(double x) const {
     return -adhesion_.tail_energy - adhesion_.force * within_range(x);
   }
@@ -200,7 +200,7 @@ class NormalMotion {
     const double out = first_root(s.x - gap.low, s.v, drive);
     const double t = std::min(std::min(touch, out), time);
     s = {s.x + t * (s.v + 0.5 * drive * t), s.v + drive * t};
-    // Rounding must not carry the pair over the edge it stands on.
+    // Rounding must not carry the pair across the edge.
     if (t < time)
       s = out < touch ? Overlap{gap.low, std::min(s.v, 0.0)}
                       : Overlap{gap.high, std::max(s.v, 0.0)};

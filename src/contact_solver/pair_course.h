@@ -85,10 +85,12 @@ class PairCourse {
     return rate * rate / contact_distance_;
   }
   /// The same and that by other forces.
-  double outward(const Flight& now, double external) const { return turning(now) + external; }
-  bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
+  double outward_acceleration(const Flight& now, double external) const {
+    return turning(now) + external;
+  }
+  bool stays_in_contact(Flight& now, double outward, NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    if (!motion_.advance_whole_step(s, load, record)) return false;
+    if (!motion_.advance_whole_step(s, outward, record)) return false;
     put(now, s);
     return true;
   }
@@ -103,7 +105,8 @@ class PairCourse {
   double advance_in_range(Flight& now, double time, double external, bool& in_range,
                           NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    const double taken = motion_.advance(s, time, outward(now, external), in_range, record);
+    const double taken =
+        motion_.advance(s, time, outward_acceleration(now, external), in_range, record);
     put(now, s);
     return taken;
   }
@@ -113,9 +116,9 @@ class PairCourse {
   double advance_in_contact(Flight& now, double time, double external, bool& touching,
                             NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    const double load = outward(now, external);
+    const double outward = outward_acceleration(now, external);
     const double taken =
-        std::visit([&](const auto& c) { return c.advance(s, time, load, record); }, contact());
+        std::visit([&](const auto& c) { return c.advance(s, time, outward, record); }, contact());
     touching = taken >= time;
     put(now, s);
     return taken;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "contact_solver/pair_step.h"
+#include "contact_solver/relative_state.h"
 
 namespace cohesion::contact_solver {
 

@@ -24,6 +24,8 @@ namespace cohesion::contact_solver {
 /// Source: square_well/impulses.h (impulses at the edge), contact_solver.h (contact).
 class SquareWellSolver : public ContactSolver {
  public:
+  static constexpr bool may_be_idle = true;
+
   /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
   /// [length]: of the centres at touch, or the radius beside a wall; step [time].
   SquareWellSolver(const contact::NormalLaw& law, const contact::Adhesion& well,

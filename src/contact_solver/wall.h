@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "constants.h"
-#include "contact_solver/pair_step.h"
+#include "contact_solver/relative_state.h"
 #include "validation.h"
 
 namespace cohesion::contact_solver {

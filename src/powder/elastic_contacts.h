@@ -28,11 +28,11 @@ struct ElasticContacts {
 
 /// What a run with them is to do.
 struct ElasticDemand {
-  double young;       ///< E of the material, [force/length^2]
-  double given;       ///< E that is used whatever it does; 0: none
-  Load load;          ///< that presses grains together
-  double overlap;     ///< that it may press them by at most, over the diameter, [1]
-  advice::Keep keep;  ///< what a softer modulus keeps of the material
+  double young;        ///< E of the material, [force/length^2]
+  double given;        ///< E that is used whatever it does; 0: none
+  Load load;           ///< that presses grains together
+  double overlap;      ///< that it may press them by at most, over the diameter, [1]
+  contact::Keep keep;  ///< what a softer modulus keeps of the material
   /// E over which the attraction can be scaled, [force/length^2]: least_scaled_stiffness().
   double least = 0.0;
 };

@@ -6,10 +6,10 @@
 
 #include "advice/power_law_spring.h"
 #include "advice/softness.h"
-#include "advice/stiffness_scaling.h"
 #include "constants.h"
 #include "contact/adhesive_contact.h"
 #include "contact/linear_spring_dashpot.h"
+#include "contact/stiffness_scaling.h"
 #include "sphere.h"
 #include "validation.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "advice/softness.h"
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 #include "hamaker/parameters.h"
 #include "powder/grain_contact.h"
 #include "powder/plan.h"
@@ -26,7 +26,7 @@ struct Demand {
   double restitution;         ///< without cohesion, [1]
   Load load;                  ///< that presses grains together
   double overlap;             ///< that it may press them by at most, over the diameter, [1]
-  advice::Keep keep;          ///< what springs softer than the material keep of it
+  contact::Keep keep;         ///< what springs softer than the material keep of it
   double given = 0.0;         ///< stiffness that is used whatever they do, [force/length]; 0: none
   Elastic elastic{0.0, 0.0};  ///< material; Young's modulus 0: the springs given are the material
   double well_ratio = 0.0;    ///< r_out/r of a well in place of the attraction; 0: no well
@@ -51,10 +51,10 @@ struct Springs {
 };
 
 /// The least stiffness to which the attraction of a material of stiffness `real` can be scaled, its
-/// cut-off growing towards the outer one: f > k (2 - k) of advice/stiffness_scaling.h, f^(p + 1)
+/// cut-off growing towards the outer one: f > k (2 - k) of contact/stiffness_scaling.h, f^(p + 1)
 /// being the ratio of the stiffnesses, with a tenth to spare. exponent: p of the contact.
 inline double least_scaled_stiffness(double real, const hamaker::HamakerParameters& p,
-                                     double exponent = advice::linear_power) {
+                                     double exponent = contact::linear_power) {
   const double k = p.surface_cutoff / p.outer_cutoff;
   return 1.1 * real * std::pow(k * (2.0 - k), exponent + 1.0);
 }
@@ -133,10 +133,10 @@ inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
   const double real = material_stiffness(pair, demand);
   double soft = demand.given;
   if (soft == 0.0) {
-    const bool scales = demand.keep == advice::Keep::escape_velocity;
+    const bool scales = demand.keep == contact::Keep::escape_velocity;
     soft = softest_of_all(pair, demand, [&](const Borne& b, double stiffness) {
       return scales && b.adhesion.force > 0.0 && stiffness < real
-                 ? advice::StiffnessScaling(real, stiffness).adhesion(b.adhesion)
+                 ? contact::StiffnessScaling(real, stiffness).adhesion(b.adhesion)
                  : b.adhesion;
     });
     if (scales)
@@ -145,10 +145,10 @@ inline Springs springs_of(const GrainPair& pair, const Demand& demand) {
     soft = rounded_stiffness(soft, stiffest_needed(pair, demand, real));
   }
   // Springs stiffer than the material has for slow impacts stand for none but themselves.
-  const advice::Material material{std::max(real, soft), demand.keep};
+  const contact::Material material{std::max(real, soft), demand.keep};
   contact::Adhesion used = pair.adhesion;
-  if (advice::is_scaled(material, soft) && pair.adhesion.force > 0.0) {
-    const advice::StiffnessScaling scaling(real, soft);
+  if (contact::is_scaled(material, soft) && pair.adhesion.force > 0.0) {
+    const contact::StiffnessScaling scaling(real, soft);
     used = scaling.adhesion(pair.adhesion);
     // As the engine will: throws where the outer cut-off leaves no room.
     scaling.hamaker(pair.hamaker);

@@ -37,12 +37,12 @@ class SampledBridge : public SampledPair {
   PairStep advance(const RelativeState& state, const StepWindow& window, bool inside) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.normal);
+    const SampledMotion now = sample(state, time, step.record);
     step.inside = sampled_bridge(range(), -now.overlap, inside);
     // The energy of a bridge is zero at touch. The work between the touch and the gap at the
     // beginning of the step enters the balance when the bridge forms or breaks.
     if (step.inside != inside)
-      step.normal.dissipated +=
+      step.record.dissipated +=
           (step.inside ? -1.0 : 1.0) * pull_.work(window.before * now.rate - now.overlap);
     step.force = now.repulsion - attraction(now.overlap, step.inside);
     step.velocity_change = (time * step.force / reduced_mass()) * now.normal;

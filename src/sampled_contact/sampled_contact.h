@@ -6,7 +6,8 @@
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/pair_motion.h"
-#include "contact_solver/pair_step.h"
+#include "contact_solver/relative_state.h"
+#include "sampled_contact/sampled_pair.h"
 
 namespace cohesion::sampled_contact {
 
@@ -82,7 +83,7 @@ class SampledContact {
     FrictionalStep step;
     step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
     history.normal.force = normal.force;
-    step.repulsion = normal.normal.repulsion_impulse;
+    step.repulsion = normal.record.repulsion_impulse;
     if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
     DiscreteSpring::Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
@@ -101,7 +102,7 @@ class SampledContact {
             step.action);
     }
     if (energies) {
-      const double damped = 0.5 * normal.normal.dissipated;
+      const double damped = 0.5 * normal.record.dissipated;
       if (reads) energies->stored = stored(grid.relative.separation, history);
       energies->before = {damped, slid.damped, rolled.all};
       energies->after.normal_damping = damped;
@@ -158,10 +159,10 @@ class SampledContact {
     const DiscreteSpring::State last = state;
     const double left = contact_spring.left_of_stretch(overlaps.before, overlaps.now);
     state.stretch = left * state.stretch;
-    const bool touches = normal.normal.contact_time > 0.0;
+    const bool touches = normal.record.contact_time > 0.0;
     bool slips = false;
     if (touches)
-      spring.advance_persistent(touch.plane(), rate, normal.normal.repulsion_at_end, here, state,
+      spring.advance_persistent(touch.plane(), rate, normal.record.repulsion_at_end, here, state,
                                 slips);
     else
       state = {};

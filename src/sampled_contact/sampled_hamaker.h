@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact_solver/pair_step.h"
+#include "contact_solver/relative_state.h"
 #include "hamaker/forms.h"
 #include "sampled_contact/sampled_pair.h"
 #include "sphere.h"
@@ -36,7 +36,7 @@ class SampledHamaker : public SampledPair {
   PairStep advance(const RelativeState& state, const StepWindow& window, bool) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.normal);
+    const SampledMotion now = sample(state, time, step.record);
     step.force = now.repulsion - attraction(now.overlap, true);
     step.velocity_change = (time * step.force / reduced_mass()) * now.normal;
     step.inside = -now.overlap < range();

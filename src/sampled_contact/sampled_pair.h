@@ -5,6 +5,14 @@
 
 namespace cohesion::sampled_contact {
 
+/// What a sampled force does to a pair in one step.
+struct PairStep {
+  Vector3 velocity_change{};  ///< of the relative velocity, [length/time]
+  double force = 0.0;         ///< along the normal, positive where it repels, [force]
+  NormalRecord record{};
+  bool inside = false;  ///< in the range of the adhesion at the end of the step
+};
+
 /// A pair at a time level, with the force of spring and dashpot there.
 struct SampledMotion {
   Vector3 normal;    ///< from the particle to its partner

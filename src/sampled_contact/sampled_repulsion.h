@@ -2,7 +2,8 @@
 #pragma once
 
 #include "contact/normal_law.h"
-#include "contact_solver/pair_step.h"
+#include "contact_solver/motion_along_normal.h"
+#include "contact_solver/relative_state.h"
 
 namespace cohesion::sampled_contact {
 

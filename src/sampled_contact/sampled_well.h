@@ -54,7 +54,7 @@ class SampledWell : public SampledPair {
   PairStep advance(const RelativeState& state, const StepWindow& window, bool inside) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.normal);
+    const SampledMotion now = sample(state, time, step.record);
     const double impulse =
         sampled_edge_impulse(depth_, range(), inverse_mass_, -now.overlap, now.rate, inside);
     step.force = now.repulsion + impulse / time;

@@ -60,7 +60,6 @@ TEST(ContactNumbers, StableStepIsWhereLeapfrogBlowsUp) {
 TEST(ContactNumbers, SteadyStepOfElasticSpringsIsThatOfTheClosedForm) {
   // (w dt)^2 = 4 sin^2(w0 dt/2) of a pair. In space, normal springs allow sin^2 < 1/4, dt < t_c/3;
   // sliding ones, with w_t = w0 sqrt(7/2 K_t/K), sin^2 < 7/40. In a plane 1/3 and 7/30.
-  using contact_solver::ClosestPacking;
   for (const bool plane : {false, true})
     for (const double ratio : {0.0, 2.0 / 7.0, 1.0}) {
       PairParameters p = thesis_pair();
@@ -89,8 +88,7 @@ TEST(ContactNumbers, SteadyStepOfDampedSpringsIsWhereASphereBetweenTwelveOthersS
       if (!taut) p.adhesion = {};
       const double mu = 0.5 * p.mass_i;
       p.damping = contact::LinearSpringDashpot::from_restitution(p.stiffness, e, mu).damping();
-      const double limit =
-          ContactNumbers(p).steady_step(contact_solver::ClosestPacking::in_space());
+      const double limit = ContactNumbers(p).steady_step(ClosestPacking::in_space());
       for (const double off : {-1e-3, 1e-3}) {
         const double dt = limit * (1.0 + off);
         auto spring = contact_solver::discrete_constants(p.stiffness, p.damping, mu, dt);

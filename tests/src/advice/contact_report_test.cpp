@@ -139,20 +139,20 @@ TEST(ContactReport, SoftnessOfSeveralContactsIsSaidOnceWithTheirNames) {
   ASSERT_EQ(soft().size(), 1u);
   EXPECT_EQ(soft()[0].find("a style, 1 - 1, 1 - 2: "), 0u) << soft()[0];
   EXPECT_NE(soft()[0].find("'words' keeps its escape velocity"), std::string::npos) << soft()[0];
-  for (AdvisedContact& c : all) c.material = {c.springs.stiffness, Keep::escape_velocity};
+  for (AdvisedContact& c : all) c.material = {c.springs.stiffness, contact::Keep::escape_velocity};
   EXPECT_TRUE(soft().empty());
 }
 
 TEST(ContactReport, NamesBothRatiosToTheMaterialUnderTheTable) {
   AdvisedContact c = pair(), other = c;
   other.name = "1 - 2";
-  c.material = other.material = {100.0 * c.springs.stiffness, Keep::escape_velocity};
+  c.material = other.material = {100.0 * c.springs.stiffness, contact::Keep::escape_velocity};
   const auto table = [&] { return report("a style", exact_scheme, {c, other}, run()).table; };
   EXPECT_NE(table().find("stiffness 800 for 80000 of the material: escape velocity 1, pull-off "
                          "force 0.1 times the material's (1 - 1, 1 - 2)\n"),
             std::string::npos)
       << table();
-  c.material = other.material = {c.springs.stiffness, Keep::escape_velocity};
+  c.material = other.material = {c.springs.stiffness, contact::Keep::escape_velocity};
   EXPECT_EQ(table().find("of the material"), std::string::npos) << table();
   c.material.stiffness *= 100.0;
   c.adhesion = {};
@@ -177,17 +177,18 @@ TEST(ContactReport, NamesBothRatiosOfHertzsAndJkrsContactToTheMaterial) {
       return c;
     };
     AdvisedContact c = contact_of(soft);
-    const auto sentence = [&](Keep keep) {
-      c.material = {ratio * soft.modulus, keep, hertz_power};
+    const auto sentence = [&](contact::Keep keep) {
+      c.material = {ratio * soft.modulus, keep, contact::hertz_power};
       return detail::over_material_sentence(c, run());
     };
     const std::string moduli = "modulus E* 2.74725e+06 for 2.74725e+09 of the material: ";
     // 1000^(-2/5)
-    EXPECT_EQ(sentence(Keep::escape_velocity),
+    EXPECT_EQ(sentence(contact::Keep::escape_velocity),
               moduli + "escape velocity 1, pull-off force 0.0631 times the material's");
     const double more = escape_velocity(c, run()) / escape_velocity(contact_of(real), run());
-    EXPECT_EQ(sentence(Keep::force), moduli + detail::number("escape velocity %.3g", more) +
-                                         ", pull-off force 1 times the material's");
+    EXPECT_EQ(sentence(contact::Keep::force), moduli +
+                                                  detail::number("escape velocity %.3g", more) +
+                                                  ", pull-off force 1 times the material's");
     EXPECT_GT(more, 2.0);
   }
 }

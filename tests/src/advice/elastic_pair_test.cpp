@@ -103,10 +103,10 @@ TEST(ElasticPair, SoftenedKeepsEscapeVelocityOrForce) {
   const double f = std::pow(1e-2, 0.4);
   for (const ElasticPair& real : {jkr(0.9), dmt(0.9, 0.1)}) {
     const double modulus = 1e-2 * real.contact().modulus;
-    const ElasticPair velocity = real.softened(modulus, Keep::escape_velocity);
+    const ElasticPair velocity = real.softened(modulus, contact::Keep::escape_velocity);
     EXPECT_NEAR(velocity.escape_velocity() / real.escape_velocity(), 1.0, 1e-3);
     EXPECT_NEAR(velocity.pull_off_force() / real.pull_off_force() / f, 1.0, 1e-14);
-    const ElasticPair force = real.softened(modulus, Keep::force);
+    const ElasticPair force = real.softened(modulus, contact::Keep::force);
     EXPECT_EQ(force.pull_off_force(), real.pull_off_force());
     EXPECT_GT(force.escape_velocity(), 2.0 * real.escape_velocity());
   }

@@ -31,10 +31,10 @@ double rigid_escape(const PairParameters& p) {
 TEST(OverMaterial, ScaledAdhesionKeepsTheEscapeVelocityAndLosesForceAsTheRootOfStiffness) {
   PairParameters soft = thesis_pair();
   const auto real = contact_of(stiffer(soft, 1e4));
-  soft.adhesion =
-      StiffnessScaling(real.spring().stiffness(), soft.stiffness).adhesion(real.adhesion());
+  soft.adhesion = contact::StiffnessScaling(real.spring().stiffness(), soft.stiffness)
+                      .adhesion(real.adhesion());
   const OverMaterial over =
-      over_material(contact_of(soft), {1e4 * soft.stiffness, Keep::escape_velocity});
+      over_material(contact_of(soft), {1e4 * soft.stiffness, contact::Keep::escape_velocity});
   // Exact but for roundings, as StiffnessScaling.
   EXPECT_NEAR(over.escape_velocity, 1.0, 1e-12);
   EXPECT_NEAR(over.force, 0.01, 1e-14);
@@ -43,7 +43,8 @@ TEST(OverMaterial, ScaledAdhesionKeepsTheEscapeVelocityAndLosesForceAsTheRootOfS
 
 TEST(OverMaterial, AdhesionLeftAsItIsKeepsTheForceAndSticksMore) {
   const PairParameters soft = thesis_pair();
-  const OverMaterial over = over_material(contact_of(soft), {1e4 * soft.stiffness, Keep::force});
+  const OverMaterial over =
+      over_material(contact_of(soft), {1e4 * soft.stiffness, contact::Keep::force});
   const double real = contact_of(stiffer(soft, 1e4)).escape_velocity();
   EXPECT_NEAR(over.escape_velocity, contact_of(soft).escape_velocity() / real, 1e-12);
   EXPECT_GT(over.escape_velocity, 2.0);
@@ -56,7 +57,9 @@ TEST(OverMaterial, PairsThatAllPartOrAllStickDoSoInBoth) {
   PairParameters overdamped = thesis_pair();
   overdamped.damping *= 1e3;
   for (const PairParameters& p : {elastic, overdamped})
-    EXPECT_EQ(over_material(contact_of(p), {1e4 * p.stiffness, Keep::force}).escape_velocity, 1.0);
+    EXPECT_EQ(
+        over_material(contact_of(p), {1e4 * p.stiffness, contact::Keep::force}).escape_velocity,
+        1.0);
 }
 
 TEST(Softness, DecidesWhereAdhesionWorksMoreInTheSpringThanOnTheWayToIt) {

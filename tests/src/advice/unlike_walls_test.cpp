@@ -16,7 +16,8 @@ StickingRules rules(const std::string& name, const std::string& adhesion = "jkr"
   return r;
 }
 
-Softening softening(double ratio, Keep keep = Keep::escape_velocity, double power = hertz_power) {
+Softening softening(double ratio, contact::Keep keep = contact::Keep::escape_velocity,
+                    double power = contact::hertz_power) {
   return {{1e9, keep, power}, 1e9 * ratio};
 }
 const Softening not_given{{}, 1e7};
@@ -76,7 +77,7 @@ TEST(UnlikeWalls, OtherSoftening) {
       "velocity) differs; give both the same f: multiply "
       "Young's modulus of the wall by 0.1");
   const auto linear = [](double ratio) {
-    return softening(ratio, Keep::escape_velocity, linear_power);
+    return softening(ratio, contact::Keep::escape_velocity, contact::linear_power);
   };
   EXPECT_TRUE(has(of(linear(1e-4), {linear(1e-2)}), "multiply the stiffness of the wall by 100"));
   // 0.01^(1/2) = 0.1 = 10^(-5/2 * 2/5).
@@ -87,7 +88,7 @@ TEST(UnlikeWalls, OtherSoftening) {
 
 TEST(UnlikeWalls, OneWithoutMaterial) {
   EXPECT_EQ(of(not_given, {not_given}), "");
-  EXPECT_EQ(of(not_given, {softening(1e-2, Keep::force)}), "");
+  EXPECT_EQ(of(not_given, {softening(1e-2, contact::Keep::force)}), "");
   EXPECT_EQ(of(not_given, {softening(1.0)}), "");
   EXPECT_TRUE(has(of(not_given, {softening(1e-2)}),
                   "pair_style gran has 0.01 times the modulus E* of the material (f = 0.158), by "
@@ -96,8 +97,8 @@ TEST(UnlikeWalls, OneWithoutMaterial) {
 }
 
 TEST(UnlikeWalls, WhatIsKeptMayDiffer) {
-  EXPECT_EQ(of(softening(1e-2), {softening(1e-2, Keep::force)}), "");
-  EXPECT_NE(of(softening(1e-2), {softening(1e-3, Keep::force)}), "");
+  EXPECT_EQ(of(softening(1e-2), {softening(1e-2, contact::Keep::force)}), "");
+  EXPECT_NE(of(softening(1e-2), {softening(1e-3, contact::Keep::force)}), "");
 }
 
 /// Of another law there is nothing to compare, and that is said.

@@ -25,7 +25,7 @@ ElasticBorne two(double diameter, bool jkr, double work = w) {
   return {diameter, {p, radius, 0.5 * mass(diameter), jkr ? contact::Adhesion{} : dmt}};
 }
 
-ElasticDemand demand(advice::Keep keep = advice::Keep::escape_velocity) {
+ElasticDemand demand(contact::Keep keep = contact::Keep::escape_velocity) {
   return {young, 0.0, {0.5, 1e3}, 0.01, keep};
 }
 
@@ -33,7 +33,7 @@ ElasticDemand demand(advice::Keep keep = advice::Keep::escape_velocity) {
 
 TEST(ElasticContacts, AreAsSoftAsTheOverlapAllows) {
   for (const bool jkr : {false, true})
-    for (const auto keep : {advice::Keep::escape_velocity, advice::Keep::force}) {
+    for (const auto keep : {contact::Keep::escape_velocity, contact::Keep::force}) {
       const ElasticBorne pair = two(5e-4, jkr);
       const double ratio = softest_ratio(pair, demand(keep));
       const double modulus = pair.pair.contact().modulus;
@@ -58,7 +58,7 @@ TEST(ElasticContacts, BearTheWeightOfTheBed) {
 TEST(ElasticContacts, KeepWhatIsAskedAndRoundTheModulus) {
   for (const bool jkr : {false, true}) {
     const ElasticContacts velocity = elastic_contacts({two(5e-4, jkr)}, demand());
-    const ElasticContacts force = elastic_contacts({two(5e-4, jkr)}, demand(advice::Keep::force));
+    const ElasticContacts force = elastic_contacts({two(5e-4, jkr)}, demand(contact::Keep::force));
     // Both are bisected to 1e-5.
     EXPECT_NEAR(velocity.over.escape_velocity, 1.0, 3e-5);
     EXPECT_NEAR(velocity.over.force, std::pow(velocity.young / young, 0.4), 1e-12);

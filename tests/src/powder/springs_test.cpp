@@ -23,7 +23,7 @@ GrainPair pair_of(double hamaker_constant) {
   return {d, mass, p, {force, 4e-10, tail}};
 }
 
-Demand demand(advice::Keep keep = advice::Keep::escape_velocity) {
+Demand demand(contact::Keep keep = contact::Keep::escape_velocity) {
   return {0.9, {0.4, 1000.0}, 0.01, keep, 0.0, glass};
 }
 
@@ -31,7 +31,7 @@ Demand demand(advice::Keep keep = advice::Keep::escape_velocity) {
 
 TEST(Springs, KeepWhatIsAsked) {
   const Springs velocity = springs_of(pair_of(6.5e-20), demand());
-  const Springs force = springs_of(pair_of(6.5e-20), demand(advice::Keep::force));
+  const Springs force = springs_of(pair_of(6.5e-20), demand(contact::Keep::force));
   EXPECT_TRUE(velocity.are_softer());
   EXPECT_NEAR(velocity.used.escape_velocity / velocity.material.escape_velocity, 1.0, 1e-9);
   EXPECT_NEAR(velocity.over.escape_velocity, 1.0, 1e-9);
@@ -126,8 +126,8 @@ TEST(Springs, RefuseAWellWithinTheGrains) {
 TEST(Springs, LeaveTheAttractionRoom) {
   const hamaker::HamakerParameters p{1e-19, 4e-10, 4e-9};
   const double least = least_scaled_stiffness(1e4, p);
-  EXPECT_NO_THROW(advice::StiffnessScaling(1e4, least).hamaker(p));
-  EXPECT_THROW(advice::StiffnessScaling(1e4, least / 1.11).hamaker(p), InvalidParameter);
+  EXPECT_NO_THROW(contact::StiffnessScaling(1e4, least).hamaker(p));
+  EXPECT_THROW(contact::StiffnessScaling(1e4, least / 1.11).hamaker(p), InvalidParameter);
 }
 
 }  // namespace cohesion::powder

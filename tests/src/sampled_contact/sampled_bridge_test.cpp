@@ -30,7 +30,7 @@ struct Bridged {
   void step() {
     const RelativeState grid{{distance + 0.5 * dt * rate, 0.0, 0.0}, {rate, 0.0, 0.0}};
     last = law.advance(grid, {0.5 * dt, 0.5 * dt}, last.inside);
-    dissipated += last.normal.dissipated;
+    dissipated += last.record.dissipated;
     rate += last.velocity_change.x;
     distance = grid.separation.x + 0.5 * dt * rate;
   }

@@ -85,7 +85,7 @@ class ContactEnergyTally {
     sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
 
-  /// What a later run needs to go on.
+  /// The numbers with which a later run continues, as restart files have them; the last is 0.
   using Totals = std::array<double, 10>;
   Totals totals() const {
     const cohesion::contact_solver::ContactLosses& lost = sums_.lost_later();

@@ -14,7 +14,7 @@
 #include "mixing.h"
 #include "validation.h"
 
-namespace cohesion::advice {
+namespace cohesion::contact {
 
 /// What a contact softer than its material keeps of it; both it cannot, at the same restitution.
 /// As wide as a number of a restart file.
@@ -45,10 +45,10 @@ struct Material {
   bool is_specified() const { return stiffness > 0.0; }
 };
 
-/// The material of Hertz's or JKR's contact, of which two have E* (contact::reduced_modulus).
+/// The material of Hertz's or JKR's contact, of which two have E* (reduced_modulus).
 /// Throws InvalidParameter as that.
 inline void set_hertz(Material& m, double youngs_modulus, double poissons_ratio) {
-  m.stiffness = contact::reduced_modulus(youngs_modulus, poissons_ratio);
+  m.stiffness = reduced_modulus(youngs_modulus, poissons_ratio);
   m.exponent = hertz_power;
 }
 
@@ -72,7 +72,7 @@ inline Material mixed(const Material& a, const Material& b) {
 }
 
 /// Of a contact what Material::stiffness is of its material: K, or E*.
-inline double stiffness_of(const contact::ContactParameters& p) {
+inline double stiffness_of(const ContactParameters& p) {
   return p.is_hertz() ? p.modulus : p.stiffness;
 }
 
@@ -121,14 +121,14 @@ class StiffnessScaling {
   double factor() const { return factor_; }
 
   /// The linear spring of the simulation at the same mass and restitution.
-  contact::LinearSpringDashpot spring(const contact::LinearSpringDashpot& real) const {
+  LinearSpringDashpot spring(const LinearSpringDashpot& real) const {
     return {soft_stiffness_, factor_ * real.damping(), real.reduced_mass()};
   }
 
   /// w of JKR's contact, [energy/length^2].
   double work_of_adhesion(double real) const { return factor_ * real; }
 
-  contact::Adhesion adhesion(const contact::Adhesion& real) const {
+  Adhesion adhesion(const Adhesion& real) const {
     return {factor_ * real.force, real.cutoff / factor_, real.tail_energy};
   }
 
@@ -236,4 +236,4 @@ inline std::string scaling_note(double stiffness, const Material& material, doub
   return detail::scaling_note(stiffness, material, numbers.str());
 }
 
-}  // namespace cohesion::advice
+}  // namespace cohesion::contact

@@ -3,12 +3,13 @@
 
 #include "contact_solver/damped_oscillator.h"
 
-namespace cohesion::contact_solver {
+namespace cohesion::advice {
 
 /// (w dt)^2 of one discrete spring [1], whose dashpot takes the velocity of half a step before and
 /// counts as stiffness. step [time]; inverse_mass [1/mass]: of the motion that stretches the
 /// spring.
-inline double squared_phase(const DiscreteConstants& spring, double step, double inverse_mass) {
+inline double squared_phase(const contact_solver::DiscreteConstants& spring, double step,
+                            double inverse_mass) {
   return (spring.stiffness + 2.0 * spring.damping / step) * step * step * inverse_mass;
 }
 
@@ -43,4 +44,4 @@ struct ClosestPacking {
   }
 };
 
-}  // namespace cohesion::contact_solver
+}  // namespace cohesion::advice

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact_solver/motion_along_normal.h"
 #include "vector3.h"
 
 namespace cohesion::contact_solver {
@@ -19,14 +18,6 @@ struct StepWindow {
   double before;  ///< [time]
   double after;   ///< [time]
   double length() const { return before + after; }
-};
-
-/// What a sampled force does to a pair in one step.
-struct PairStep {
-  Vector3 velocity_change{};  ///< of the relative velocity, [length/time]
-  double force = 0.0;         ///< along the normal, positive where it repels, [force]
-  NormalRecord normal{};
-  bool inside = false;  ///< in the range of the adhesion at the end of the step
 };
 
 }  // namespace cohesion::contact_solver

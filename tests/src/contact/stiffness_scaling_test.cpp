@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "advice/stiffness_scaling.h"
+#include "contact/stiffness_scaling.h"
 
 #include <limits>
 #include <variant>
@@ -9,7 +9,7 @@
 #include "refuses.h"
 #include "sphere.h"
 
-namespace cohesion::advice {
+namespace cohesion::contact {
 namespace {
 
 constexpr double real_stiffness = 8e5;
@@ -110,7 +110,7 @@ contact::ContactParameters hertz(double young, double e, double work_of_adhesion
 }
 
 double escape_of_hertz(double young, double e, const hamaker::HamakerParameters& h) {
-  return escape_velocity(
+  return advice::escape_velocity(
       contact::HertzSpringDashpot::from_restitution(hertz(young, e).modulus, reduced_radius, e,
                                                     reduced_mass),
       {h.hamaker_constant * reduced_radius / 6.0 / h.surface_cutoff / h.surface_cutoff,
@@ -125,9 +125,9 @@ contact::JkrSpringDashpot jkr(double young, double e, double w) {
 }
 
 double escape_of_jkr(double young, double e, double w) {
-  return escape_velocity(jkr(young, e, w),
-                         contact::HertzSpringDashpot::from_restitution(
-                             hertz(young, e).modulus, reduced_radius, e, reduced_mass));
+  return advice::escape_velocity(jkr(young, e, w),
+                                 contact::HertzSpringDashpot::from_restitution(
+                                     hertz(young, e).modulus, reduced_radius, e, reduced_mass));
 }
 
 /// E of Young's modulus, which no Poisson's ratio changes.
@@ -250,4 +250,4 @@ TEST(Material, MixedIsTheGeometricMeanOfWhatBothTell) {
   expect_refused([&] { mixed(a, {400.0, Keep::escape_velocity}); }, "tell the pair what to keep");
 }
 
-}  // namespace cohesion::advice
+}  // namespace cohesion::contact
