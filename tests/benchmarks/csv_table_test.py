@@ -40,8 +40,8 @@ class Entered(unittest.TestCase):
         return self.file.read_text()
 
     def test_same_values_change_nothing(self):
-        for name, measured in (("contact_energies", ("value",)), ("contacts", ("value",)), ("contact_motion", ("value",)),
-                               ("contact_costs", ("instructions of the reference", "instructions", "ratio"))):
+        for name, measured in (("contact_energies", ("value",)), ("contacts", ("value",)),
+                               ("contact_motion", ("value",)), ("contact_costs", ("instructions of the reference", "instructions", "ratio"))):
             text = self.copy(name)
             row = rows(name)[3]
             csv_table.enter(self.file, {key: row[key] for key in row if key not in measured},
@@ -98,10 +98,11 @@ class Programs(unittest.TestCase):
     def test_motion(self):
         steps, pairs, impacts = (program(f"lammps-package/{name}")
                                  for name in ("step-error", "struck-pairs", "agglomerate-impacts"))
-        self.expect("contacts", self.entered(steps, lambda: [steps.enter("", scheme, dt, 1.0, 1.0) for scheme in steps.SCHEMES
-                                                             for dt in steps.SCHEMES[scheme][1]]))
+        self.expect("contacts", self.entered(steps, lambda: [
+            steps.enter("", scheme, dt, 1.0, 1.0) for scheme in steps.SCHEMES for dt in steps.SCHEMES[scheme][1]]))
         self.expect("contacts", self.entered(impacts, lambda: [
-            impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100) for mu in (0.0, 0.3) for step in (5.0, 100)]))
+            impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100)
+            for mu in (0.0, 0.3) for step in (5.0, 100)]))
         for scheme, friction in (("exact", 0.0), ("exact", 0.3), ("sampled", 0.0)):
             words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": ""})
             self.expect("contact_motion", self.entered(pairs, lambda: pairs.enter(words, friction, 10, 1, 0.1)))
