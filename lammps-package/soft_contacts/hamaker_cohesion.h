@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
 #include "hamaker/forms.h"
