@@ -22,7 +22,7 @@ namespace Cohesion {
 using namespace LAMMPS_NS;
 
 // Of restart files; first there was the step, which is above 0.
-static constexpr double LAYOUT = -5.0;
+static constexpr double LAYOUT = -6.0;
 
 static double squared(const double* a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 

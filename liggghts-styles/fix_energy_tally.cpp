@@ -11,6 +11,7 @@
 #include "comm.h"
 #include "common/energy_tally_of_runs.h"
 #include "common/message.h"
+#include "common/other_forces.h"
 #include "error.h"
 #include "fix_accelerations.h"
 #include "fix_wall_gran.h"
@@ -79,19 +80,14 @@ double FixEnergyTally::clock() const {
 }
 
 /// Whether anything but contacts and gravity exerts forces.
-bool FixEnergyTally::others_act() const {
-  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
-    return true;
-  constexpr int WITH_FORCES = FixConst::PRE_FORCE | FixConst::POST_FORCE;
-  for (int k = 0; k < modify->nfix; k++) {
+bool FixEnergyTally::other_styles_act() const {
+  return other_forces_act(lmp, [](const Fix& fix) {
     const auto is = [&](const char* start) {
-      return std::strncmp(modify->fix[k]->style, start, std::strlen(start)) == 0;
+      return std::strncmp(fix.style, start, std::strlen(start)) == 0;
     };
-    const bool is_known = is("cohesion_") || is("gravity") || is("wall/gran") ||
-                          is("mesh/surface") || is("neighlist/mesh") || is("contacthistory");
-    if ((modify->fmask[k] & WITH_FORCES) && !is_known) return true;
-  }
-  return false;
+    return is("cohesion_") || is("gravity") || is("wall/gran") || is("mesh/surface") ||
+           is("neighlist/mesh") || is("contacthistory");
+  });
 }
 
 /// Contacts of scheme exact go on with the forces of the last run, unless there were none or the

@@ -21,7 +21,7 @@ class FixEnergyTally : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void init() override;
-  void setup_pre_force(int) override { tally_->begin_set_up(others_act()); }
+  void setup_pre_force(int) override { tally_->begin_set_up(other_styles_act()); }
   void setup(int) override;
   void pre_force(int) override;
   void end_of_step() override;
@@ -37,7 +37,7 @@ class FixEnergyTally : public LAMMPS_NS::Fix {
 
  private:
   double clock() const;
-  bool others_act() const;
+  bool other_styles_act() const;
 
   std::shared_ptr<ModelEnergyTally> tally_;
   LAMMPS_NS::BoxSides box_;   // at the end of the last run

@@ -38,6 +38,7 @@ namespace engine_api {
 /// before the forces.
 constexpr int POST_NEIGHBOR = FixConst::PRE_FORCE;
 constexpr int GROW = 0, RESTART = 1;  // of Atom::add_callback()
+constexpr int WITH_FORCES = FixConst::PRE_FORCE | FixConst::POST_FORCE;
 constexpr const char* NO_GHOST_VELOCITIES = "communicate ... vel no";
 
 /// A fix with the virtual functions that LAMMPS has.

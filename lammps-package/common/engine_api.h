@@ -74,6 +74,8 @@ using BoxFix = FixDeform;
 
 using FixConst::POST_NEIGHBOR;
 constexpr int GROW = Atom::GROW, RESTART = Atom::RESTART;
+/// Of fixes that may exert forces.
+constexpr int WITH_FORCES = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
 /// What takes the velocities of ghosts away in a script.
 constexpr const char* NO_GHOST_VELOCITIES = "comm_modify vel no";
 

@@ -38,7 +38,7 @@ class ContactEnergyTally {
     sums_.begin_step();
     friction_.assign(particles, {});
   }
-  /// EnergySums.
+  /// As those of EnergySums.
   void reset_normal() { sums_.reset_normal(); }
   void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
     sums_.store_normal(fraction, stored);
@@ -48,10 +48,11 @@ class ContactEnergyTally {
     if (read_) sums_.store(fraction, energies.stored);
     sums_.lose(fraction, energies);
   }
-  /// Adds what a contact stores, and what one loses that has been persistent and stays so.
+  /// Adds what a contact stores.
   void store(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
     sums_.store(fraction, stored);
   }
+  /// Adds what a contact loses that has been persistent and stays so.
   [[gnu::always_inline]] void lose_persistent(
       double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
     sums_.lose_before(fraction, energies);
@@ -74,8 +75,9 @@ class ContactEnergyTally {
   /// The sum of those, [momentum].
   const cohesion::Vector3& friction(int i) const { return friction_[i]; }
 
-  /// End the step of a particle: EnergySums.
+  /// The work of friction on all that it acts on.
   cohesion::contact_solver::WorkOfForces& friction_work() { return sums_.friction; }
+  /// Add what acts on a particle: EnergySums.
   void add_external_work(const cohesion::contact_solver::ForcesAtLevel& forces,
                          const cohesion::contact_solver::Passage& passage) {
     sums_.add_external_work(forces, passage);

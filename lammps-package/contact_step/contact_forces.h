@@ -47,10 +47,10 @@ class ContactForces {
   /// Whether apply_persistent() can be called in this step.
   bool may_persist() const { return may_persist_; }
   /// The fast path of beds: computes a contact that was persistent and certainly remains so in this
-  /// step, without stored energies. `now`, `By`: as in ExactContact; the impulses of `result` are
-  /// times kick(); `tallies`: the energy balance is active, and gets the losses. Returns false, and
-  /// changes nothing, for any other contact, and in the step in which the engine has exchanged i
-  /// and j.
+  /// step, without stored energies. `now`, `By`: as in ExactContact; `result`: set to the impulses;
+  /// times kick() they are forces; `tallies`: the energy balance is active, and gets the losses.
+  /// Returns false, and changes nothing, for any other contact, and in the step in which the engine
+  /// has exchanged i and j.
   template <class By, bool tallies, class Motion>
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, std::ptrdiff_t i, std::ptrdiff_t j,
                                                const Motion& now, double* values,
@@ -71,16 +71,17 @@ class ContactForces {
   }
 
   /// Computes any contact, and returns its impulses. `of_wall` [length/time^2]: acceleration of a
-  /// wall; `energies`: filled for the energy balance if not null; `reads`: with those stored.
+  /// wall; `energies`: filled for the energy balance if not null; `with_stored`:
+  /// whether stored energies are evaluated, too.
   FrictionalStep apply(const Contact& c, int i, int j, const PairMotion& now,
                        const Vector3& of_wall, ContactHistory& history, ContactEnergies* energies,
-                       bool reads) const {
+                       bool with_stored) const {
     const Vector3 acceleration = of_wall + step_->relative_acceleration(i, j);
     if constexpr (Contact::is_exact)
       if (step_->has_other_length())
         c.change_step(step_->last_length(), now, acceleration, history);
-    const FrictionalStep result =
-        c.template advance<SIZE>(now, acceleration, step_->starts(), history, energies, reads);
+    const FrictionalStep result = c.template advance<SIZE>(now, acceleration, step_->starts(),
+                                                           history, energies, with_stored);
     push(i, -result.action.impulse, result.action.torque_i);
     if (is_own(j)) push(j, result.action.impulse, result.action.torque_j);
     if (dot(result.at_edge, result.at_edge) > 0.0) exclude(c, i, j, kick_ * result.at_edge);

@@ -9,21 +9,17 @@
 #include "common/energy_tally_of_runs.h"
 #include "common/renumbering.h"
 #include "domain.h"
-#include "engine/gravity.h"
 #include "engine/occasional_lists.h"
 #include "error.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "output.h"
 #include "soft_contacts/contact_advice.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
-using cohesion::contact_solver::ForcesAtLevel;
-using cohesion::contact_solver::Passage;
 
 static constexpr char ID[] = "COHESION_CONTACT_STEP";
 static constexpr char PLACE[] = "COHESION_CONTACT_STEP_PLACE";
@@ -236,12 +232,6 @@ void FixContactStep::forget_impulses() {
   impulsive_particles.clear();
 }
 
-/// Energy balances begin when all fixes have been set up, or at the end of a run without steps.
-void FixContactStep::begin_tallies() {
-  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
-  tallies_begun = true;
-}
-
 void FixContactStep::pre_force(int) {
   if (neighbor->ago == 0) discard_occasional_lists(neighbor);
   if (idle) {
@@ -289,73 +279,6 @@ bool FixContactStep::begin_step() {
   energy_tally.begin_step(atom->nlocal);
   impulses.begin_contacts();
   return true;
-}
-
-void FixContactStep::update_readers() {
-  const bigint now = update->ntimestep;
-  const bool may_be_continued =
-      now == update->laststep || (output->restart_flag && now == output->next_restart);
-  const bool read = starting || resuming || reads_energy_tally(modify, now) || may_end_here();
-  energy_tally.update_readers(may_be_continued, read);
-  flux_wanted = flux_readers.use_count() > 1;
-}
-
-/// Whether a fix halt may end the run with this step.
-bool FixContactStep::may_end_here() const {
-  for (int i = 0; i < modify->nfix; i++)
-    if (utils::strmatch(modify->fix[i]->style, "^halt") &&
-        update->ntimestep % modify->fix[i]->nevery == 0)
-      return true;
-  return false;
-}
-
-/// Ends the first time level of a run, when all of its forces are summed.
-void FixContactStep::end_start() {
-  if (starting && !idle && energy_tally.is_active()) tally_work(true);
-  starting = false;
-}
-
-void FixContactStep::end_of_step() {
-  if (!idle && energy_tally.is_active()) tally_work(false);
-}
-
-/// Adds the work of friction and of all other forces except contacts and gravity at this time level
-/// to the energy balance.
-void FixContactStep::tally_work(bool starts) {
-  const bool reads = energy_tally.is_read();
-  if (!others_act && !reads) return tally_friction();
-  const double half = 0.5 * forces_dt;  // update->dt may be that of the next step already
-  const double kick = impulses.kick();
-  const std::vector<double> weight = weights(lmp);
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (inverse_mass[i] == 0.0) continue;
-    const ForcesAtLevel forces{vector(atom->f[i]),      impulses.force(i),
-                               vector(&weight[3 * i]),  kick * energy_tally.friction(i),
-                               vector(atom->torque[i]), impulses.torque(i)};
-    const Passage passage = reads ? passage_of(i, starts, half) : short_passage_of(i, half);
-    energy_tally.friction_work().add(forces.friction, forces.of_contacts_torque, passage);
-    if (others_act) energy_tally.add_external_work(forces, passage);
-    if (reads && !starts)
-      energy_tally.store_motion(forces, inverse_mass[i],
-                                cohesion::contact_solver::inverse_inertia(body(i)), half);
-  }
-}
-
-/// The same in a step without output, where only contacts and gravity act.
-void FixContactStep::tally_friction() {
-  const double half = 0.5 * forces_dt, kick = impulses.kick();
-  for (int i = 0; i < atom->nlocal; i++)
-    if (inverse_mass[i] != 0.0)
-      energy_tally.friction_work().add(kick * energy_tally.friction(i), vector(atom->torque[i]),
-                                       short_passage_of(i, half));
-}
-
-Passage FixContactStep::passage_of(int i, bool starts, double half) const {
-  const double inverse_inertia = cohesion::contact_solver::inverse_inertia(body(i));
-  const Vector3 kick = (half * inverse_mass[i]) * vector(atom->f[i]);
-  const Vector3 turn = (half * inverse_inertia) * vector(atom->torque[i]);
-  return starts ? Passage::start(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half)
-                : Passage::whole(vector(atom->v[i]), kick, vector(atom->omega[i]), turn, half);
 }
 
 void FixContactStep::post_run() {

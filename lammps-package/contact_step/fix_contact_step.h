@@ -177,7 +177,7 @@ class FixContactStep : public Fix {
   bool begin_step();
   void save_last(int i, double* values) const;
   void find_styles();
-  bool find_others() const;
+  bool other_styles_act() const;
   void follow_renumbering();
   void find_altered();
   void advise_if_due(bool setup);
@@ -239,11 +239,11 @@ class FixContactStep : public Fix {
   std::vector<int> impulsive_particles;  // indices of atoms with such forces, with repetitions
   bool any_exact_scheme = false;         // whether any style of this run has it
   bool any_dynamic_group = false;        // whether fixes move or freeze such a group
-  bool others_act = true;                // whether other forces than those of contacts and gravity
-  std::vector<char> flagged;             // storage of forwarded_flags
-  double* inverse_mass;                  // per atom and ghost
-  std::vector<double> known_masses;      // inverse_mass belongs to these; empty: not computed yet
-  std::vector<double> known_radii;       // radii_version belongs to these
+  bool others_act = true;            // whether other forces than those of contacts and gravity act
+  std::vector<char> flagged;         // storage of forwarded_flags
+  double* inverse_mass;              // per atom and ghost
+  std::vector<double> known_masses;  // inverse_mass belongs to these; empty: not computed yet
+  std::vector<double> known_radii;   // radii_version belongs to these
   long radii_version = 0;
   double longest_flight;
   double unresolved;                        // contacts not resolved to the end of a step, this run

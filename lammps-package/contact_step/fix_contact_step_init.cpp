@@ -10,6 +10,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "common/message.h"
+#include "common/other_forces.h"
 #include "common/unmoved_spheres.h"
 #include "common/unturned_spheres.h"
 #include "contact_step/fix_contact_step.h"
@@ -54,7 +55,7 @@ void FixContactStep::init() {
   any_exact_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
     return some->is_exact_scheme();
   });
-  others_act = find_others();
+  others_act = other_styles_act();
   refuse_rerun(lmp, any_exact_scheme ? "scheme exact" : "scheme sampled");
   refuse_rigid_bodies();
   if (may_have_contacts && (any_exact_scheme || !warned_of_partly_held))
@@ -83,19 +84,13 @@ void FixContactStep::find_styles() {
 }
 
 /// Whether anything but contacts and gravity exerts forces.
-bool FixContactStep::find_others() const {
-  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
-    return true;
+bool FixContactStep::other_styles_act() const {
   for (const PairMember& member : pair_members(force))
     if (!dynamic_cast<SoftContactStyle*>(member.pair)) return true;
-  constexpr int WITH_FORCES = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix* const fix = modify->fix[i];
-    const bool is_known = fix == this || dynamic_cast<const SoftContactStyle*>(fix) ||
-                          utils::strmatch(fix->style, "^gravity");
-    if ((modify->fmask[i] & WITH_FORCES) && !is_known) return true;
-  }
-  return false;
+  return other_forces_act(lmp, [this](const Fix& fix) {
+    return &fix == this || dynamic_cast<const SoftContactStyle*>(&fix) ||
+           utils::strmatch(fix.style, "^gravity");
+  });
 }
 
 /// Contacts use the masses of single spheres, not those of rigid bodies.

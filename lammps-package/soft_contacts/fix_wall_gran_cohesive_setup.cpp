@@ -103,7 +103,7 @@ void FixWallGranCohesive<Cohesion>::for_each_with_history(const WallState& now, 
 // Numbers of a restart file: its layout; how many walls, numbers of history for each face, regions
 // and faces; the fingerprints of the regions; the course of the walls; and the force on them, which
 // a run that continues another does not compute again.
-static constexpr int LAYOUT = 4, FINGERPRINTS = 5;
+static constexpr int LAYOUT = 5, FINGERPRINTS = 5;
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {

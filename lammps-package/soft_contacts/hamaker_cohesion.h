@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "common/plausible_sizes.h"
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
 #include "hamaker/forms.h"
@@ -24,7 +23,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr char ADHESION[] = "hamaker", WITHOUT_ADHESION[] = "hamaker 0";
   static constexpr std::array SETTINGS{"form"};
-  static constexpr int RESTART_LAYOUT = 9;
+  static constexpr int RESTART_LAYOUT = 10;
   static constexpr bool BINDS_IN_RANGE = true;
 
   /// Coefficients of the contact of two materials.

@@ -24,7 +24,7 @@ class JkrCohesion : public CohesionLaw<cohesion::contact::Material> {
   /// None is without it.
   static constexpr char ADHESION[] = "surface_energy", WITHOUT_ADHESION[] = "";
   static constexpr char COEFFICIENTS[] = "normal hertz E nu surface_energy gamma ...'";
-  static constexpr int RESTART_LAYOUT = 2;
+  static constexpr int RESTART_LAYOUT = 3;
 
   using Solver = cohesion::contact_solver::JkrSolver;
   /// Never used: scheme sampled has linear springs only.

@@ -20,7 +20,7 @@ class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::LiquidB
  public:
   static constexpr char STYLE[] = "gran/liquidbridge";
   static constexpr char ADHESION[] = "bridge", WITHOUT_ADHESION[] = "bridge 0 0";
-  static constexpr int RESTART_LAYOUT = 5;
+  static constexpr int RESTART_LAYOUT = 6;
 
   using Solver = cohesion::contact_solver::LiquidBridgeSolver;
   using Sampled = cohesion::sampled_contact::SampledBridge;

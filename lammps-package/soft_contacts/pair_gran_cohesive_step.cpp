@@ -120,8 +120,9 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
   // A loop for each normal law, of results that stay in registers; one for laws that differ and for
   // steps with momentum fluxes.
-  if (Contact::is_exact && !contact_step->sums_flux() && coefficients.only_law()) {
-    switch (*coefficients.only_law()) {
+  const auto law = coefficients.only_law();
+  if (Contact::is_exact && !contact_step->sums_flux() && law) {
+    switch (*law) {
       case contact::LawKind::linear:
         return compute_by<SIZE, LinearContact>(contacts);
       case contact::LawKind::hertz:

@@ -18,7 +18,7 @@ class SquareWellCohesion : public CohesionLaw<cohesion::square_well::SquareWellP
  public:
   static constexpr char STYLE[] = "gran/squarewell";
   static constexpr char ADHESION[] = "well", WITHOUT_ADHESION[] = "well 0 1";
-  static constexpr int RESTART_LAYOUT = 6;
+  static constexpr int RESTART_LAYOUT = 7;
 
   using Solver = cohesion::contact_solver::SquareWellSolver;
   using Sampled = cohesion::sampled_contact::SampledWell;

@@ -102,6 +102,7 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
 
 /// The alternatives of NormalLaw.
 enum class LawKind { linear, hertz, jkr };
+static_assert(std::variant_size_v<NormalLaw> == 3, "LawKind has one value for each alternative");
 inline LawKind kind_of_law(const ContactParameters& p) {
   if (!p.is_hertz()) return LawKind::linear;
   return p.work_of_adhesion > 0.0 ? LawKind::jkr : LawKind::hertz;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <variant>
 
 #include "contact/adhesion.h"
@@ -275,6 +274,8 @@ class ContactSolver : public PairCourse {
       state.account += result.exchanged;
       state.force_before = state.force;
       state.external_before = external;
+    } else {
+      state.force_before = state.external_before = 0.0;  // a later run may read them
     }
     state.phase = result.taut ? ContactState::taut : ContactState::persistent;
     state.velocity_offset = result.true_rate;

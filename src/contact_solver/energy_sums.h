@@ -144,12 +144,8 @@ class EnergySums {
   }
   void lose(const ContactLosses& lost) { add_to(lost_, 1.0, lost); }
 
-  /// Adds the work of what acts on a particle that moves freely.
-  void end_step(const ForcesAtLevel& f, const Passage& passage) {
-    add_external_work(f, passage);
-    friction.add(f.friction, f.of_contacts_torque, passage);
-  }
-  /// The part of other forces than those of contacts and gravity.
+  /// Adds the work of other forces than those of contacts and gravity on a particle that moves
+  /// freely.
   void add_external_work(const ForcesAtLevel& f, const Passage& passage) {
     external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
   }

@@ -11,6 +11,7 @@
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/normal_energies.h"
+#include "contact_solver/spring_step.h"
 
 namespace cohesion::contact_solver {
 
@@ -97,10 +98,10 @@ class ExactContact {
   }
 
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
-  /// so, and adds its impulses to `step`. Returns false, and changes nothing, where
-  /// that is not certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has;
-  /// `values`: the stored history; `By`: the alternative of ContactMotion that moves the contact,
-  /// or that itself, if it is not known; `energies`: without stored ones, may be null.
+  /// so, and adds its impulses to `step`. Returns false, and changes nothing, where that is not
+  /// certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has; `values`: the
+  /// stored history; `By`: LinearContact or IntegratedContact; ContactMotion where laws differ;
+  /// `energies`: without stored ones, may be null.
   template <int SIZE, class By, class Motion>
   [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
                                                  FrictionalStep& step,
@@ -138,11 +139,12 @@ class ExactContact {
 
   /// Advances any contact. `acceleration` [length/time^2]: of j relative to i by all forces of the
   /// last step except impulses; `first`: in the first step of a run, whose velocities are those of
-  /// the time level. `energies` may be null; `reads`: with those stored.
+  /// the time level. `energies` may be null;
+  /// `with_stored`: whether stored energies are evaluated, too.
   template <int SIZE>
   FrictionalStep advance(const PairMotion& now, const Vector3& acceleration, bool first,
                          ContactHistory& history, ContactEnergies* energies,
-                         bool reads = true) const {
+                         bool with_stored = true) const {
     const Vector3& s = now.relative.separation;
     const double inverse = 1.0 / norm(s);
     const StaggeredMotion at = motion(now.relative, inverse);
@@ -158,20 +160,20 @@ class ExactContact {
     step.unresolved = normal.record.unresolved;
     step.action.impulse = (velocity_step * normal.force * inverse) * s;
     if (solver_.gave_impulse(history.normal)) step.at_edge = step.action.impulse;
-    const Normal n{before,
-                   history.normal,
-                   normal,
-                   first ? 0.0 : solver_.offset(at, external, before),
-                   bodies_.distance() - at.distance,
-                   bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
-                   solver_.repulsion(at, before),
-                   overlap_at_end(now, step.action.impulse),
-                   lowest_overlap_};
+    const SpringStep::Normal n{before,
+                               history.normal,
+                               normal,
+                               first ? 0.0 : solver_.offset(at, external, before),
+                               bodies_.distance() - at.distance,
+                               bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
+                               solver_.repulsion(at, before),
+                               overlap_at_end(now, step.action.impulse),
+                               lowest_overlap_};
     if (energies) {
       const SolvedStep solved{at,           external,         first, before, history.normal,
                               normal.force, normal.dissipated};
       set_normal_losses(solver_, solved, *energies);
-      if (reads) set_normal_stored(solver_, solved, bodies_.distance(), *energies);
+      if (with_stored) set_normal_stored(solver_, solved, bodies_.distance(), *energies);
     }
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
@@ -268,41 +270,6 @@ class ExactContact {
     return true;
   }
 
-  /// The normal motion of a step, as friction needs it.
-  struct Normal {
-    const ContactState& before;
-    const ContactState& after;
-    const ContactStep& step;
-    double offset;            ///< true rate at the time level less the staggered one
-    double overlap;           ///< [length]
-    double overlap_before;    ///< at the time level before
-    double repulsion_before;  ///< of a contact that has been persistent, [force]
-    double overlap_at_end;
-    double lowest;  ///< at which contact ends
-
-    bool persisted() const { return before.is_persistent(); }
-    /// The overlap that a spring has in the step that begins here, and had in the last one.
-    double overlap_in_step() const {
-      return after.is_persistent() ? overlap : mean(overlap, overlap_at_end);
-    }
-    double overlap_in_last_step() const {
-      return persisted() ? overlap_before : mean(overlap_before, overlap);
-    }
-
-    bool touches() const { return overlap > lowest; }
-    bool touches_at_end() const { return overlap_at_end > lowest; }
-
-   private:
-    double mean(double a, double b) const {
-      return 0.5 * (std::max(a, lowest) + std::max(b, lowest));
-    }
-  };
-  /// Energies of a spring: stored, and lost before and after the time level.
-  struct Spring {
-    double stored = 0.0;
-    DiscreteSpring::Losses before, after;
-  };
-
   StaggeredMotion motion(const RelativeState& relative, double inverse) const {
     const double rate = inverse * dot(relative.separation, relative.velocity);
     const double across = dot(relative.velocity, relative.velocity) - rate * rate;
@@ -316,13 +283,15 @@ class ExactContact {
   }
 
   /// Adds impulse and energies of sliding friction.
-  void add_sliding(const PairMotion& now, const ContactBodies::Touch& touch, const Normal& n,
-                   DiscreteSpring::State& state, FrictionalStep& step,
+  void add_sliding(const PairMotion& now, const ContactBodies::Touch& touch,
+                   const SpringStep::Normal& n, DiscreteSpring::State& state, FrictionalStep& step,
                    ContactEnergies* energies) const {
-    Spring spring;
-    step.friction = advance(sliding_, touch,
-                            touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j),
-                            {}, n, state, energies ? &spring : nullptr);
+    SpringStep::Energies spring;
+    step.friction =
+        SpringStep(bodies_, step_, friction_load_)
+            .advance(sliding_, touch,
+                     touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j), {}, n,
+                     state, energies ? &spring : nullptr);
     touch.add_sliding_impulse(step.friction, step.action);
     if (!energies) return;
     energies->stored.tangential_spring = spring.stored;
@@ -330,87 +299,23 @@ class ExactContact {
     energies->after.tangential_damping = spring.after.damped;
   }
   /// The same of rolling friction, after sliding friction.
-  void add_rolling(const PairMotion& now, const ContactBodies::Touch& touch, const Normal& n,
-                   DiscreteSpring::State& state, FrictionalStep& step,
+  void add_rolling(const PairMotion& now, const ContactBodies::Touch& touch,
+                   const SpringStep::Normal& n, DiscreteSpring::State& state, FrictionalStep& step,
                    ContactEnergies* energies) const {
-    Spring spring;
+    SpringStep::Energies spring;
     // Friction has turned the spheres by this much in the middle of a resolved step.
     const Vector3 turned =
         touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
                                bodies_.inverse_inertia_j() * step.action.torque_j);
     touch.add_rolling_impulse(
-        advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n, state,
-                energies ? &spring : nullptr),
+        SpringStep(bodies_, step_, friction_load_)
+            .advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n,
+                     state, energies ? &spring : nullptr),
         step.action);
     if (!energies) return;
     energies->stored.rolling_spring = spring.stored;
     energies->before.rolling = spring.before.all;
     energies->after.rolling = spring.after.all;
-  }
-
-  /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate
-  /// by the other spring in the first half of a resolved step.
-  Vector3 advance(const ContactSpring& contact_spring, const ContactBodies::Touch& touch,
-                  const Vector3& rate, const Vector3& by_other, const Normal& n,
-                  DiscreteSpring::State& state, Spring* energies) const {
-    const double in_step = n.overlap_in_step(), in_last_step = n.overlap_in_last_step();
-    const DiscreteSpring spring = contact_spring.at(in_step);
-    const DiscreteSpring::State last = state;
-    const double left = contact_spring.left_of_stretch(in_last_step, in_step);
-    state.stretch = left * state.stretch;
-    state.impulse = touch.plane().turned_into(state.impulse);
-    // A contact that begins at a time level begins with the true velocity.
-    const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
-    bool slips = false;
-    Vector3 stretch{}, impulse;
-    if (n.after.is_persistent()) {
-      const double limiting =
-          n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + friction_load_;
-      impulse =
-          spring.advance_persistent(touch.plane(), rate, limiting, n.persisted(), state, slips);
-      stretch = state.stretch;
-    } else {
-      if (n.persisted()) {
-        const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch);
-        spring.advance_persistent(touch.plane(), rate, n.repulsion_before, true, state, slips);
-        spring.end_persistent(sticking, true_force + friction_load_, state);
-        stretch = state.stretch;
-      } else if (n.touches()) {
-        stretch = touch.plane().turned_into(state.stretch);
-        if (n.before.in_range()) stretch += step_ * rate;
-      }
-      impulse = resolve(spring, touch, stretch, rate + by_other, n, state, energies);
-    }
-    if (energies) {
-      energies->stored = spring.stored_energy(stretch);
-      if (n.persisted())
-        energies->before =
-            spring.losses(touch.plane(), rate, {contact_spring.constants_at(in_last_step), last},
-                          left, {spring.constants(), {stretch, impulse}}, slips);
-    }
-    return impulse;
-  }
-
-  /// The same of a resolved step, from `stretch` at the time level; state.impulse is pending.
-  Vector3 resolve(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
-                  const Vector3& stretch, const Vector3& rate, const Normal& n,
-                  DiscreteSpring::State& state, Spring* energies) const {
-    if (!(n.step.record.contact_time > 0.0)) {
-      const Vector3 half = 0.5 * state.impulse;
-      if (energies) energies->after.all = spring.stored_energy(stretch);
-      state = {};
-      return half;
-    }
-    const Vector3 true_rate = rate + (0.5 * spring.inverse_mass()) * state.impulse;
-    Vector3 mean;
-    const contact::TangentialStep now =
-        spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.record,
-                       n.touches_at_end(), mean);
-    const Vector3 impulse = 0.5 * (now.impulse + state.impulse);
-    if (energies) energies->after = {now.damped + now.friction, now.damped};
-    const bool goes_on = n.touches_at_end();
-    state = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
-    return impulse;
   }
 
   ContactBodies bodies_;

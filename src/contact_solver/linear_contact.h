@@ -36,10 +36,9 @@ namespace cohesion::contact_solver {
 /// Of its energy account (energy_account.h): while the contact is persistent, R has besides the
 /// energy that the discrete spring stores; its dissipation is a quadratic form of two staggered
 /// rates. The forces act along the normals of their time levels. Where the pair turns with the
-/// centrifugal acceleration z, R also changes by (f_n - f_(n-1)) z dt^2/4 and a
-/// part of third order. In a resolved step the
-/// dashpot dissipates eta u^2 for the time of contact with the mean rate u of the step, which the
-/// particles have one step later: R changes by the difference then.
+/// centrifugal acceleration z, R also changes by (f_n - f_(n-1)) z dt^2/4 and a part of third
+/// order. In a resolved step the dashpot dissipates eta u^2 for the time of contact with the mean
+/// rate u of the step, which the particles have one step later: R changes by the difference then.
 ///
 /// Source: derived here, see docs/theory/exact_contacts.md.
 class LinearContact {

@@ -41,9 +41,9 @@ template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
                        ContactEnergies& energies) {
   StoredEnergies& stored = energies.stored;
-  const bool stands =
+  const bool found_in_range =
       step.before.phase == ContactState::unknown && step.at.distance <= solver.entry_distance();
-  if (step.before.in_range() || stands) {
+  if (step.before.in_range() || found_in_range) {
     stored.spring = solver.spring_energy(contact_distance - step.at.distance);
     stored.adhesion = solver.adhesion_energy(contact_distance - step.at.distance);
   }

@@ -74,7 +74,7 @@ class SampledContact {
   template <int SIZE>
   [[gnu::always_inline]] FrictionalStep advance(const PairMotion& grid, const Vector3&, bool,
                                                 ContactHistory& history, ContactEnergies* energies,
-                                                bool reads = true) const {
+                                                bool with_stored = true) const {
     const Vector3& s = grid.relative.separation;
     if (history.normal.phase == ContactState::unknown)
       history.normal.phase = stands(grid.relative) ? ContactState::inside : ContactState::outside;
@@ -103,7 +103,7 @@ class SampledContact {
     }
     if (energies) {
       const double damped = 0.5 * normal.record.dissipated;
-      if (reads) energies->stored = stored(grid.relative.separation, history);
+      if (with_stored) energies->stored = stored(grid.relative.separation, history);
       energies->before = {damped, slid.damped, rolled.all};
       energies->after.normal_damping = damped;
     }

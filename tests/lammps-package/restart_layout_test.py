@@ -23,10 +23,10 @@ neighbor 1e-4 bin
 # Settings, coefficients, and which layout they have.
 STYLES = {
     "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 3),
-    "gran/hamaker": ("", "stiffness 800", 9),
-    "gran/squarewell": ("", "stiffness 800 well 1e-12 1.01", 6),
-    "gran/liquidbridge": ("", "stiffness 800 bridge 1e-5 1e-5", 5),
-    "gran/jkr": ("", "normal hertz 5e6 0.25 surface_energy 0.01", 2),
+    "gran/hamaker": ("", "stiffness 800", 10),
+    "gran/squarewell": ("", "stiffness 800 well 1e-12 1.01", 7),
+    "gran/liquidbridge": ("", "stiffness 800 bridge 1e-5 1e-5", 6),
+    "gran/jkr": ("", "normal hertz 5e6 0.25 surface_energy 0.01", 3),
     "hard/squarewell": ("", "restitution 0.9", 4),
 }
 MARK = 0x436f6800  # restart_format.h
@@ -62,7 +62,7 @@ class Layout(ScriptTestCase):
 
     def test_another_layout_of_the_motion_of_walls_is_refused(self):
         file = Path(self.folder) / "some.restart"
-        for style, pair, words, layout in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800", 4),
+        for style, pair, words, layout in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800", 5),
                                            ("wall/hard/squarewell", "hard/squarewell", "restitution 0.9", 1)):
             run = f"fix w all {style} {words} xplane 0 NULL\nfix move all nve/sphere\ntimestep 1e-7\nrun 1\n"
             self.goes(f"{HEAD}boundary f p p\n{MAKE}pair_style {pair}\npair_coeff * * {words}\n{run}"

@@ -214,4 +214,22 @@ TEST(ContactFriction, WhatIsLeftOfAnImpulseActsInThePlaneOfContactThatHasTurned)
   EXPECT_GT(step.friction.y, 0.0);
 }
 
+/// Friction does without the force and the external acceleration of the step before the last: a
+/// later run without friction must find none of another time.
+TEST(ContactFriction, APersistentContactStoresNothingOfTheStepBeforeTheLast) {
+  const double dt = thesis::contact_time / 10.0, overlap = 0.01 * small.radius;
+  const auto parameters = elastic(0.3);
+  const ExactContact<ContactSolver> law(parameters, {}, small, large, dt);
+  const PairMotion now{{{distance - overlap, 0.0, 0.0}, {}}, {}, {}};
+  ContactHistory history;
+  history.normal.phase = ContactState::persistent;
+  history.normal.force = parameters.stiffness * overlap;
+  history.normal.force_before = 0.3 * history.normal.force;
+  history.normal.external_before = 0.2;
+  law.advance<ContactHistory::with_friction>(now, {}, false, history, nullptr);
+  EXPECT_TRUE(history.normal.is_persistent());
+  EXPECT_EQ(history.normal.force_before, 0.0);
+  EXPECT_EQ(history.normal.external_before, 0.0);
+}
+
 }  // namespace cohesion::contact_solver

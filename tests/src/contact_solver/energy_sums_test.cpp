@@ -45,7 +45,8 @@ struct Particle {
     sums.store(1.0, {0.5 * stiffness * dot(x, x), 0.0, 0.0, 0.0});
     dashpot.add(damped, {}, passage);
     const ForcesAtLevel forces{force, spring + damped, mass * gravity, {}, torque, of_contact};
-    sums.end_step(forces, passage);
+    sums.add_external_work(forces, passage);
+    sums.friction.add(forces.friction, forces.of_contacts_torque, passage);
     if (!starts) sums.store_motion(forces, 1.0 / mass, 1.0 / inertia, half);
   }
   void move(double half) {
@@ -108,7 +109,7 @@ TEST(EnergySums, StartCountsTheWorkOfTheMeanVelocity) {
   EnergySums sums;
   const Vector3 v{0.4, 0.1, -0.2}, push{0.3, 0.2, 0.1};
   const Vector3 kick = (0.5 * dt / mass) * push;
-  sums.end_step({push, {}, {}, {}, {}, {}}, Passage::start(v, kick, {}, {}, 0.5 * dt));
+  sums.add_external_work({push, {}, {}, {}, {}, {}}, Passage::start(v, kick, {}, {}, 0.5 * dt));
   EXPECT_EQ(sums.external.so_far(), 0.0);
   sums.begin_step();
   const Vector3 after = v + kick;
