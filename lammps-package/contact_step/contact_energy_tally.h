@@ -55,7 +55,7 @@ class ContactEnergyTally {
   /// Adds what a contact loses that has been persistent and stays so.
   [[gnu::always_inline]] void lose_persistent(
       double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
-    sums_.lose_before(fraction, energies);
+    sums_.lose_persistent(fraction, energies);
   }
   /// Adds work of moving walls, or of friction on them, in the step around the time level.
   void add_work(double done) {

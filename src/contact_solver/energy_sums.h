@@ -127,14 +127,16 @@ class EnergySums {
     add_to(lost_, fraction, energies.before);
     add_to(lost_later_, fraction, energies.after);
   }
-  /// The same of a contact that loses nothing after the time level.
-  [[gnu::always_inline]] void lose_before(double fraction, const ContactEnergies& energies) {
+  /// The same of a persistent contact.
+  [[gnu::always_inline]] void lose_persistent(double fraction, const ContactEnergies& energies) {
     const ContactLosses& lost = energies.before;
     lost_.normal_damping += fraction * lost.normal_damping;
     lost_.tangential_damping += fraction * lost.tangential_damping;
     // Zeros that the compiler knows, as without rolling friction, cost nothing.
     if (lost.rolling != 0.0) lost_.rolling += fraction * lost.rolling;
     if (energies.exchanged != 0.0) exchanged_ += fraction * energies.exchanged;
+    const double later = energies.after.normal_damping;
+    if (later != 0.0) lost_later_.normal_damping += fraction * later;
   }
   /// The same of its normal motion alone.
   void lose_normal(double fraction, const ContactEnergies& energies) {

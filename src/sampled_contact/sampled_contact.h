@@ -55,14 +55,45 @@ class SampledContact {
     return pair_.within_reach(grid, window_);
   }
 
-  /// Sampled contacts are all alike.
+  /// As those of ExactContact, for spheres that touch in their range. A tangential spring whose
+  /// stiffness changes has no short path.
   template <int SIZE, class By, class Motion>
-  bool advance_persistent(const Motion&, double*, FrictionalStep&, ContactEnergies*) const {
-    return false;
+  [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
+                                                 FrictionalStep& step,
+                                                 ContactEnergies* energies = nullptr) const {
+    constexpr bool friction = SIZE >= ContactHistory::with_friction;
+    constexpr bool rolling = SIZE >= ContactHistory::with_rolling;
+    if (values[0] != ContactState::inside || (friction && sliding_.stiffens())) return false;
+    const RelativeState relative = now.relative();
+    PairStep normal = pair_.advance(relative, window_, true);
+    if (!(normal.record.contact_time > 0.0)) return false;
+    values[3] = normal.force;
+    step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
+    step.repulsion = normal.record.repulsion_impulse;
+    DiscreteSpring::Losses slid, rolled;
+    if constexpr (friction) {
+      const PersistentStep pressed{normal.force, normal.record.repulsion_at_end, 0.0};
+      const ContactBodies::Touch touch = ContactBodies::Touch::of_spheres(
+          bodies_, relative.separation, 1.0 / norm(relative.separation));
+      const Vector3 spin_i = now.spin_i(), spin_j = now.spin_j();
+      step.friction = sliding_.persistent_impulse<true>(
+          touch.plane(), touch.sliding_velocity(relative.velocity, spin_i, spin_j), pressed, 0.0,
+          values + ContactHistory::normal_only, energies ? &slid : nullptr);
+      touch.add_sliding_impulse(step.friction, step.action);
+      if constexpr (rolling)
+        touch.add_rolling_impulse(
+            rolling_.persistent_impulse<true>(touch.plane(), touch.rolling_velocity(spin_i, spin_j),
+                                              pressed, 0.0, values + ContactHistory::with_friction,
+                                              energies ? &rolled : nullptr),
+            step.action);
+    }
+    if (energies) set_losses(normal, slid, rolled, *energies);
+    return true;
   }
   template <int SIZE>
-  StoredEnergies stored_persistent(const PairMotion&, const double*, const double*) const {
-    return {};
+  StoredEnergies stored_persistent(const PairMotion& now, const double*,
+                                   const double* values) const {
+    return stored(now.relative.separation, ContactHistory::stored(values, SIZE));
   }
   template <class Motion>
   bool is_idle(const Motion&, const double*, double) const {
@@ -102,10 +133,8 @@ class SampledContact {
             step.action);
     }
     if (energies) {
-      const double damped = 0.5 * normal.record.dissipated;
       if (with_stored) energies->stored = stored(grid.relative.separation, history);
-      energies->before = {damped, slid.damped, rolled.all};
-      energies->after.normal_damping = damped;
+      set_losses(normal, slid, rolled, *energies);
     }
     return step;
   }
@@ -126,6 +155,13 @@ class SampledContact {
   }
 
  private:
+  static void set_losses(const PairStep& normal, const DiscreteSpring::Losses& slid,
+                         const DiscreteSpring::Losses& rolled, ContactEnergies& energies) {
+    const double damped = 0.5 * normal.record.dissipated;
+    energies.before = {damped, slid.damped, rolled.all};
+    energies.after.normal_damping = damped;
+  }
+
   /// [length], at the time level and at the one before.
   struct Overlaps {
     double now, before;
