@@ -110,8 +110,8 @@ void Foam::keptState::restore(const fileName& path, const UList<instant>& comple
     returnReduce(label(0), sumOp<label>());
     Info<< "The last complete state is that of time " << latest.name() << ", which an earlier run had in the folder '"
         << folder << "': the run continues from it" << nl
-        << "    To begin anew remove '" << folder << "' and all time folders but that of the initial fields; to continue"
-        << " from a written time remove " << latest.name() << nl << endl;
+        << "    To begin anew remove '" << folder << "' and all time folders but that of the initial fields; to"
+        << " continue from a written time remove " << latest.name() << nl << endl;
 }
 
 
