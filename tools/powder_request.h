@@ -122,7 +122,7 @@ inline void add_options(CLI::App& app, PowderRequest& r) {
   app.add_option("--keep", r.keep, "what springs softer than the material keep of it")
       ->check(CLI::IsMember({"velocity", "force"}))
       ->capture_default_str();
-  app.add_option("--use", r.use, "of the run: speed of impacts, steps, walls")
+  app.add_option("--use", r.use, "bed: fluidised; packing: without gas")
       ->check(CLI::IsMember({"bed", "packing"}))
       ->capture_default_str();
   app.add_option("--overlap", r.overlap, "largest overlap over the diameter")
@@ -219,8 +219,10 @@ inline void require_together(const PowderRequest& r) {
   const bool area = r.width > 0.0 || r.column > 0.0;
   require(area == (r.height > 0.0), "height of the bed", r.height,
           "a bed takes --height and either --width and --depth or --column");
-  require(!r.is_packing() || r.folder.empty(), "fluidised bed", 0.0,
-          "--write writes one: leave --use packing out");
+  if (r.is_packing() && !r.folder.empty()) {
+    throw InvalidParameter(
+        "--use packing: --write writes a fluidised bed: leave --use packing out");
+  }
   require(!r.measure || r.engine == "lammps", "measurement", 1.0,
           "--measure runs LAMMPS: leave --engine out");
   const bool well = r.law == "square_well";

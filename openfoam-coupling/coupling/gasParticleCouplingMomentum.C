@@ -9,6 +9,7 @@
 #include "liquid/liquid_exchange.h"
 #include "sphere.h"
 
+#include "coupling/exchange/cellVolume.H"
 #include "coupling/particles/engineView.H"
 
 using namespace cohesion;
@@ -217,7 +218,7 @@ void Foam::gasParticleCoupling::checkViscousWaves(const volScalarField& nu)
         scalarField ofCells(averaging_.spread(volumePerDensity));
         forAll(ofCells, celli)
         {
-            ofCells[celli] /= volume(celli);
+            ofCells[celli] /= cellVolume(mesh_, depthRatio_, celli);
         }
         monitor_.checkCells(ofCells, voidFraction(), nu);
     }

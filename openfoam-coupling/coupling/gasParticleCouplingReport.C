@@ -2,6 +2,7 @@
 // What the coupling prints: the balance of each step, where the time went.
 #include "gasParticleCoupling.H"
 
+#include "coupling/exchange/cellVolume.H"
 #include "sixDigits.H"
 
 using namespace cohesion;
@@ -19,19 +20,20 @@ Foam::gasParticleCoupling::GasTotals Foam::gasParticleCoupling::gasTotals
     GasTotals totals;
     forAll(U, celli)
     {
+        const scalar volume = cellVolume(mesh_, depthRatio_, celli);
         const scalar eps = voidFraction()[celli];
         const scalar fraction = form_.shares_pressure ? eps : 1;
-        totals.drag += sources_.dragOnGas(celli, U[celli], gradP[celli])*volume(celli)*dt;
+        totals.drag += sources_.dragOnGas(celli, U[celli], gradP[celli])*volume*dt;
         if (liquid_.active())
         {
-            totals.drag += liquid_.onCell(celli, U[celli], dt)*rho_*volume(celli)*dt;
+            totals.drag += liquid_.onCell(celli, U[celli], dt)*rho_*volume*dt;
         }
         totals.pressure +=
             (
                 (1 - fraction)*gradP[celli]
               + (fraction - eps)*rho_*density_.ratio(celli)*g_
-            )*volume(celli)*dt;
-        totals.solid += (1 - eps)*volume(celli);
+            )*volume*dt;
+        totals.solid += (1 - eps)*volume;
     }
     reduce(totals.drag, sumOp<vector>());
     reduce(totals.pressure, sumOp<vector>());

@@ -3,6 +3,8 @@
 
 #include "zeroGradientFvPatchFields.H"
 
+#include "coupling/exchange/cellVolume.H"
+
 using namespace cohesion;
 
 
@@ -50,7 +52,7 @@ void Foam::momentumSources::setDrag(const scalarField& rate, const vectorField& 
 {
     forAll(rate, celli)
     {
-        const scalar perGasMass = 1/(volume(celli)*rho_);
+        const scalar perGasMass = 1/(cellVolume(mesh_, depthRatio_, celli)*rho_);
         dragRate_.field()[celli] = rate[celli]*perGasMass;
         dragSource_.field()[celli] = source[celli]*perGasMass;
     }
@@ -67,7 +69,7 @@ void Foam::momentumSources::addPressure
     lastGradP_ = rho_*gradPOverRho.primitiveField();
     forAll(transmitted, celli)
     {
-        transmittedFraction_[celli] = transmitted[celli]/volume(celli);
+        transmittedFraction_[celli] = transmitted[celli]/cellVolume(mesh_, depthRatio_, celli);
         for (direction d = 0; d < 3; ++d)
         {
             dragSource_.field()[celli][d] += drag::last_pressure_on_gas

@@ -109,10 +109,10 @@ void Foam::functionObjects::bedPressureDrop::setArea(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << name() << ": the mesh is no column of one cross-section along direction " << up_
-            << ": its faces that face against it have " << sixDigits(of.foot).c_str() << " m2 as seen along it, and its volume over its"
-            << " height is " << of.mean << " m2; give the axis of the column as direction. Where the cross-section"
-            << " changes, or the column is periodic along its axis, use OpenFOAM's surfaceFieldValue for the drop"
-            << " between patches" << exit(FatalIOError);
+            << ": its faces that face against it have " << sixDigits(of.foot).c_str() << " m2 as seen"
+            << " along it, and its volume over its height is " << of.mean << " m2; give the axis of the"
+            << " column as direction. Where the cross-section changes, or the column is periodic along its axis,"
+            << " use OpenFOAM's surfaceFieldValue for the drop between patches" << exit(FatalIOError);
     }
     if (of.variation() > rounding)
     {

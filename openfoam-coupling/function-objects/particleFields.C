@@ -7,6 +7,7 @@
 
 #include "sphere.h"
 
+#include "coupling/exchange/cellVolume.H"
 #include "coupling/exchange/particleAveraging.H"
 
 namespace Foam
@@ -124,7 +125,7 @@ void Foam::functionObjects::particleFields::compute()
     const scalarField perDiameters(averaging.spread(perDiameter));
     forAll(volumes, celli)
     {
-        const scalar cell = mesh_.V()[celli]*particles().depthRatio();
+        const scalar cell = cellVolume(mesh_, particles().depthRatio(), celli);
         // Smoothing leaves rounding in cells without particles.
         const bool empty = volumes[celli] <= SMALL*cell;
         const vector mean = empty ? vector::zero : momenta[celli]/volumes[celli];

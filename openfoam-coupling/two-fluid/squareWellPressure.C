@@ -62,8 +62,8 @@ void Foam::kineticTheoryModels::squareWellPressure::warn(const word& phase, cons
     {
         WarningInFunction
             << "granularPressureModel squareWell of " << phase << " was measured of grains with a restitution of 1, and"
-            << " e = " << e << ": pairs that lose energy stay in their wells, and the pressure is lower than this model's"
-            << endl;
+            << " e = " << e << ": pairs that lose energy stay in their wells, and the pressure is lower than this"
+            << " model's" << endl;
     }
     if (gas_.lambda() != CohesiveRatio::measured_lambda && gas_.lambda() > 1)
     {

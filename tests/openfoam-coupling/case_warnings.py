@@ -120,7 +120,7 @@ class CaseWarnings(CoupledTestCase):
 
     def test_growth_in_a_fixed_bed(self):
         """The gas step is 315 times m/b with the factor 1e18, a third of it with 1e15."""
-        said = "are held, as in a packing, its velocity would grow by a factor of"
+        said = "in a fixed bed its velocity would grow by a factor of"
         log = self.spheres("free", settings="response free; dragFactor 1e18;")
         self.warned("response free", log, said, "'response held;'", "couplingProperties")
         self.quiet("response held", self.spheres("explicit", settings="response held; dragFactor 1e18;"), said)

@@ -6,12 +6,15 @@ comes to its end."""
 
 import math
 import re
+import shutil
 import signal
+import subprocess
 import time
 import unittest
 
 import numpy as np
 
+from cohesion_studies.mpi_start import short_start
 from cohesion_tests.coupling.cases import CONTROL, ENGINE, append, edit, script_file
 from cohesion_tests.coupling.fields import cells
 from cohesion_tests.coupling.swarm import complete, steps_begun
@@ -187,6 +190,30 @@ class LastState(CoupledTestCase):
                 # The particle's force is computed anew where the run continues. Without the first step it is 1/60.
                 self.expect_below(f"{ranks} ranks: {name}, largest difference / largest value",
                                   np.abs(found[name] - whole[name]).max() / np.abs(whole[name]).max(), 1e-4)
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_average_that_cannot_be_written(self):
+        """Files may be larger than the fields, but not as large as an average of six components, as with a disk that
+        becomes full. OpenFOAM does not say so of text. After the first step that average is uniform."""
+        case = make(self.column, "full", 0)
+        edit(case, SCRIPT, "thermo       1", "thermo       10000")
+        average = f"whole {{ {ENTRIES} fields ( U {{ mean on; prime2Mean on; base time; }} ); }}"
+        append(case, CONTROL, f"functions {{ {average} }}")
+        case.solve()
+        fields = {file.name: file.stat().st_size for file in (case.folder / "0.001").iterdir() if file.is_file()}
+        largest, other = fields.pop("UPrime2Mean"), max(fields.values())
+        limit = (largest + other) // 2048  # [KiB]
+        self.expect_true(f"{limit} KiB between {other} and {largest} bytes", other < 1024 * limit < largest)
+        shutil.rmtree(case.folder / "0.001")
+        append(case, CONTROL, "endTime 100; writeInterval 100;")
+        # The log goes through a pipe: it may be longer.
+        command = f"trap '' XFSZ; ulimit -f {limit}; exec cohesiveBedFoam"
+        run = subprocess.run(["bash", "-c", command], cwd=case.folder, env={**short_start(), **case.env},
+                             capture_output=True, text=True, timeout=120)
+        self.expect_true("the run fails", run.returncode != 0)
+        assert_says(self, run.stdout + run.stderr, "could not be written in full", "See whether the disk is full",
+                    "The last complete state, that of time 0.0001, has been written")
+        self.expect_equal("complete times", complete(case, 1), [1e-4])
 
     def test_state_of_the_gas_that_a_run_discards(self):
         said = "has lost the forces of the gas"

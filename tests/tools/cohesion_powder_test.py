@@ -412,7 +412,8 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, "--diameter", 6e-4), "--diameter: given twice")
         self.refused((*GLASS, "--gravity", 9.8, "--gravity", 1.6), "--gravity")
         self.refused((*GLASS, "--coarse-graining", 0.5), "--coarse-graining")
-        self.refused((*GLASS, *BED, "--use", "packing", "--write", "never-written"), "leave --use packing out")
+        self.refused((*GLASS, *BED, "--use", "packing", "--write", "never-written"),
+                     "--use packing: --write writes a fluidised bed", "leave --use packing out")
         self.refused((*GLASS, "--cell", 1), "--cell")
         self.refused((*GLASS, "--measure", "--engine", "liggghts"), "--measure runs LAMMPS")
         self.refused((*GLASS, *BED, "--grains", 100, "--write", "never-written"), "--grains = 100: the smallest vessel",

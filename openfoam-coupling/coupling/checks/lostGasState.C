@@ -32,8 +32,8 @@ void Foam::warnOfLostGasState(const dictionary& dict, cohesion::coupling::DemEng
         return;
     }
     IOWarningInFunction(dict)
-        << "the particle script has lost the forces of the gas that its restart file contains: the continued run differs"
-        << " slightly from one that was not interrupted" << nl
+        << "the particle script has lost the forces of the gas that its restart file contains: the continued run"
+        << " differs slightly from one that was not interrupted" << nl
         << "    Put 'fix gas/coupling' before any 'run' of the script: 'run' discards the state of fixes that are not"
         << " defined yet" << endl;
 }

@@ -51,6 +51,6 @@ void Foam::warnOfSuspensionInSmallCells
         << sixDigits(cell/d).c_str() << " particle diameters. At random positions it settles up to a half too fast, as"
         << " cells with more particles than others sink as a whole" << nl
         << "    Use cells of six diameters, " << sixDigits(cells*d).c_str() << " m, and more, or 'voidFraction"
-        << " sphereOverlap; smoothingWidth " << sixDigits(smoothing*d).c_str() << ";'. A bed that falls into place needs"
-        << " neither" << endl;
+        << " sphereOverlap; smoothingWidth " << sixDigits(smoothing*d).c_str() << ";'. A bed that falls into place"
+        << " needs neither" << endl;
 }

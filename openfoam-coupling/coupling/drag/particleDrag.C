@@ -26,7 +26,13 @@ powder::Parcels readParcels(const Foam::dictionary& dict)
 }
 
 //- Drag over what the closure says, of a sphere of this mass [kg] and radius [m] in a fluid of density rho [1]
-Foam::scalar ofDensities(const drag::DragLaw& law, const Foam::scalar mass, const Foam::scalar radius, const Foam::scalar rho)
+Foam::scalar ofDensities
+(
+    const drag::DragLaw& law,
+    const Foam::scalar mass,
+    const Foam::scalar radius,
+    const Foam::scalar rho
+)
 {
     if (!law.closure().of_densities)
     {

@@ -6,6 +6,7 @@
 #include "void_fraction/void_fraction.h"
 
 #include "coupling/checks/requireDimensions.H"
+#include "coupling/exchange/cellVolume.H"
 #include "coupling/input/readPositive.H"
 #include "coupling/sixDigits.H"
 #include "coupling/stability/rankOfLargest.H"
@@ -87,7 +88,7 @@ Foam::particleVoidFraction::DenseCells Foam::particleVoidFraction::denseCells() 
         if (field_[celli] < lowest_)
         {
             ++dense.count;
-            dense.excess += (lowest_ - field_[celli])*(mesh_.V()[celli]*depthRatio_);
+            dense.excess += (lowest_ - field_[celli])*cellVolume(mesh_, depthRatio_, celli);
             if (field_[celli] < dense.lowest)
             {
                 dense.lowest = field_[celli];

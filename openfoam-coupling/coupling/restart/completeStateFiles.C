@@ -13,6 +13,46 @@
 #include "coupling/fromFirstRank.H"
 #include "functionObjectState.H"
 
+#include <algorithm>
+#include <string>
+
+namespace
+{
+
+//- Whether a file that OpenFOAM has written is whole: where it begins with OpenFOAM's banner it ends with a line like
+//  that. fieldAverage does not say whether it could write, and nothing says what fails as a file is closed.
+bool isWhole(const Foam::fileName& path)
+{
+    Foam::IFstream file(path);
+    std::string begin;
+    std::string end;
+    std::string block(1 << 16, 0);
+    while (file.good() && file.stdStream().read(&block[0], block.size()).gcount() > 0)
+    {
+        end.append(block, 0, file.stdStream().gcount());
+        begin = begin.empty() ? end.substr(0, 4) : begin;
+        end.erase(0, end.size() - std::min<std::size_t>(end.size(), 100));
+    }
+    end.erase(end.find_last_not_of('\n') + 1);
+    return begin.size() && (begin != "/*--" || (end.size() > 5 && end.compare(end.size() - 5, 5, "** //") == 0));
+}
+
+//- Whether the files of this rank in a time folder are whole, with the state of the function objects
+bool areWhole(const Foam::fileName& folder)
+{
+    bool whole = true;
+    for (const Foam::fileName& part : {folder, folder/"uniform", folder/"uniform/functionObjects"})
+    {
+        for (const Foam::fileName& name : Foam::readDir(part, Foam::fileName::FILE))
+        {
+            whole = whole && isWhole(part/name);
+        }
+    }
+    return whole;
+}
+
+} // End anonymous namespace
+
 
 Foam::fileName Foam::completeState::restartFile(const Time& time)
 {
@@ -32,18 +72,19 @@ Foam::fileName Foam::completeState::engineFile(const Time& time)
 
 bool Foam::completeState::writeFields(const Time& time)
 {
-    writeFunctionObjectState(time);
+    // All ranks take part in each: none is left out where another failed.
+    const bool stateWritten = writeFunctionObjectState(time);
+    const bool timeWritten = time.writeTimeDict();
     const objectRegistry& registry = time;
-    return
-        time.writeTimeDict()
 #if OPENFOAM >= 2012
-     && registry.objectRegistry::writeObject(time.writeStreamOption(), true);
+    const bool fieldsWritten = registry.objectRegistry::writeObject(time.writeStreamOption(), true);
 #else
-     && registry.objectRegistry::writeObject
-        (
-            time.writeFormat(), IOstream::currentVersion, time.writeCompression(), true
-        );
+    const bool fieldsWritten = registry.objectRegistry::writeObject
+    (
+        time.writeFormat(), IOstream::currentVersion, time.writeCompression(), true
+    );
 #endif
+    return stateWritten && timeWritten && fieldsWritten && areWhole(time.timePath());
 }
 
 

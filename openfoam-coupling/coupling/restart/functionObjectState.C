@@ -46,10 +46,11 @@ void removeNotBegun(Foam::dictionary& state, const Foam::word& name)
 } // End anonymous namespace
 
 
-void Foam::writeFunctionObjectState(const Time& time)
+bool Foam::writeFunctionObjectState(const Time& time)
 {
     functionObjectList& list = const_cast<functionObjectList&>(time.functionObjects());
     IOdictionary& state = list.stateDict();
+    bool written = true;
     for (label i = 0; i < list.size(); ++i)
     {
         functionObject& object = unwrapped(list[i]);
@@ -57,7 +58,7 @@ void Foam::writeFunctionObjectState(const Time& time)
         {
             const bool log = object.log;
             object.log = false;
-            object.write();
+            written = object.write() && written;
             object.log = log;
             removeNotBegun(state, object.name());
         }
@@ -66,9 +67,14 @@ void Foam::writeFunctionObjectState(const Time& time)
     const unsigned int digits = IOstream::defaultPrecision();
     IOstream::defaultPrecision(max(digits, 17u));
 #if OPENFOAM >= 2012
-    state.regIOobject::writeObject(IOstreamOption(IOstream::ASCII), true);
+    written = state.regIOobject::writeObject(IOstreamOption(IOstream::ASCII), true) && written;
 #else
-    state.regIOobject::writeObject(IOstream::ASCII, IOstream::currentVersion, time.writeCompression(), true);
+    written = state.regIOobject::writeObject
+    (
+        IOstream::ASCII, IOstream::currentVersion, time.writeCompression(), true
+    )
+     && written;
 #endif
     IOstream::defaultPrecision(digits);
+    return written;
 }

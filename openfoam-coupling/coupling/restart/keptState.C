@@ -45,8 +45,8 @@ Foam::instant timeOf(const Foam::fileName& kept)
     return Foam::instant(entries.get<Foam::scalar>("value"), entries.get<Foam::word>("name"));
 }
 
-//- The latest time of those that the ranks keep, without a name where there is none. Ranks differ where a run was killed
-//  as it renamed the folders.
+//- The latest time of those that the ranks keep, without a name where there is none. Ranks differ where a run was
+//  killed as it renamed the folders.
 Foam::instant latestOfRanks(const Foam::instant& mine)
 {
     Foam::List<Foam::instant> all(Foam::Pstream::nProcs());
@@ -110,8 +110,8 @@ void Foam::keptState::restore(const fileName& path, const UList<instant>& comple
     returnReduce(label(0), sumOp<label>());
     Info<< "The last complete state is that of time " << latest.name() << ", which an earlier run had in the folder '"
         << folder << "': the run continues from it" << nl
-        << "    To begin anew remove '" << folder << "' and all time folders but that of the initial fields; to continue from"
-        << " a written time remove " << latest.name() << nl << endl;
+        << "    To begin anew remove '" << folder << "' and all time folders but that of the initial fields; to"
+        << " continue from a written time remove " << latest.name() << nl << endl;
 }
 
 

@@ -21,8 +21,7 @@ void Foam::fixedBedGrowth::add(const particleInGas& particle)
 void Foam::fixedBedGrowth::warn(const scalar largest, const scalar)
 {
     WarningOnceInFunction(warning_)
-        << "with response free the gas is solved with particles that give way to it; between particles"
-        << " that are held, as in a packing, its velocity would grow by a factor of " << largest
-        << " in a step. Where they touch each other use 'response held;' in"
-        << " constant/couplingProperties, or a smaller deltaT; this is said once" << endl;
+        << "with response free the gas is solved with particles that give way to it; in a fixed bed its"
+        << " velocity would grow by a factor of " << largest << " in a step. Where they touch each"
+        << " other use 'response held;' in constant/couplingProperties, or a smaller deltaT; this is said once" << endl;
 }
