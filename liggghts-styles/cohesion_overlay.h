@@ -217,6 +217,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       if (!is_exact()) has_scheme_of_pairs_ = false;
     }
     exact_ = is_exact() ? exact_contacts_.get() : nullptr;
+    last_energies_ = nullptr;  // of a wall whose scheme has changed
     advice_->set_exact(is_exact());
   }
   /// Why scheme exact is impossible; empty: it is possible.
