@@ -174,10 +174,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
     auto* const energies = new_energies();
-    const bool reads = reads_energies();
-    if (!exact_->advance_persistent(contact, spring, force, energies, reads)) {
+    const bool with_stored = reads_energies();
+    if (!exact_->advance_persistent(contact, spring, force, energies, with_stored)) {
       cohesion::contact_solver::ContactStep step;
-      if (!exact_->advance(contact, contact.r, contact.en, step, energies, reads)) step = {};
+      if (!exact_->advance(contact, contact.r, contact.en, step, energies, with_stored)) step = {};
       exact_->set_friction(contact, step, spring);
       force = step.force;
     }
