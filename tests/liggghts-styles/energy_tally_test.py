@@ -187,6 +187,24 @@ class Balance(unittest.TestCase):
             self.assertAlmostEqual(entry(rows["exact"][-1], k), entry(rows["sampled"][-1], k),
                                    delta=STEP_ERROR * energy, msg=f"entry {k}")
 
+    def test_contacts_that_change_from_exact_to_sampled(self):
+        # In the middle of an impact, of two spheres and of one with a wall.
+        models = "model hooke/stiffness tangential off cohesion hamaker"
+        to_sampled = f"pair_style gran {models} scheme sampled\npair_coeff * *\n"
+        for spheres, steps in (([sphere((0, 0, -5e-3 + RADIUS + 5e-6), (0, 0, -0.05))], 300),
+                               ([sphere((0, 0, 0), (0.05, 0, 0)), sphere((2 * RADIUS + 5e-6, 0, 0), (-0.05, 0, 0))],
+                                200)):
+            with self.subTest(spheres=len(spheres)):
+                rows = tallies(go(models + " scheme exact", hamaker(0), spheres, every=20,
+                                  walls=[f"fix floor all wall/gran {models} {FLOOR}"],
+                                  run=f"run {steps}\n{to_sampled}run 600\n"))
+                before, after = [row for row in rows if row[0] == steps]
+                energy = rows[0][1]
+                self.assertGreater(entry(before, SPRING), 0.1 * energy)
+                for k in (KINETIC, SPRING):
+                    self.assertAlmostEqual(entry(after, k), entry(before, k), delta=STEP_ERROR * energy)
+                self.closes(rows, STEP_ERROR)
+
     def test_other_forces_are_work(self):
         rows = tallies(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 0), (0.01, 0, 0)), sphere((4e-3, 0, 0))], steps=200,
