@@ -174,10 +174,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
     auto* const energies = new_energies();
-    const bool reads = reads_energies();
-    if (!exact_->advance_persistent(contact, spring, force, energies, reads)) {
+    const bool with_stored = reads_energies();
+    if (!exact_->advance_persistent(contact, spring, force, energies, with_stored)) {
       cohesion::contact_solver::ContactStep step;
-      if (!exact_->advance(contact, contact.r, contact.en, step, energies, reads)) step = {};
+      if (!exact_->advance(contact, contact.r, contact.en, step, energies, with_stored)) step = {};
       exact_->set_friction(contact, step, spring);
       force = step.force;
     }
@@ -217,6 +217,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       if (!is_exact()) has_scheme_of_pairs_ = false;
     }
     exact_ = is_exact() ? exact_contacts_.get() : nullptr;
+    last_energies_ = nullptr;  // of a wall whose scheme has changed
     advice_->set_exact(is_exact());
   }
   /// Why scheme exact is impossible; empty: it is possible.

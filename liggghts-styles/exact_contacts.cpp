@@ -172,7 +172,7 @@ const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData&
 
 bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
                             const double* normal, ContactStep& step, ContactEnergies* energies,
-                            bool reads) {
+                            bool with_stored) {
   const bool first = d.computeflag && !d.shearupdate;
   CachedContact* const k = cached_contact(d);
   last_contact_ = k;
@@ -218,7 +218,7 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   if (energies) {
     const SolvedStep solved{now, external, first, before, state, step.force, step.dissipated};
     set_normal_losses(*k->solver, solved, *energies);
-    if (reads) set_normal_stored(*k->solver, solved, d.radsum, *energies);
+    if (with_stored) set_normal_stored(*k->solver, solved, d.radsum, *energies);
   }
   if (step.record.unresolved) cut_short_->found(names(d));
   write(d, state, step);

@@ -65,14 +65,16 @@ class ExactContacts {
 
   /// A step of a contact that was persistent in the last step and stays so, with its friction:
   /// sets `force` on i, away from j or the wall. False, and nothing done, where that is not
-  /// certain. `energies`: of the normal motion; null: not needed; `reads`: with those stored.
+  /// certain. `energies`: of the normal motion; null: not needed; `with_stored`: whether stored
+  /// energies are evaluated, too.
   bool advance_persistent(ContactModels::SurfacesIntersectData& contact, double* spring,
-                          double& force, ContactEnergies* energies, bool reads);
+                          double& force, ContactEnergies* energies, bool with_stored);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
-  /// `step` of no meaning: the contact does nothing. `energies` and `reads` as above.
+  /// `step` of no meaning: the contact does nothing. `energies` and `with_stored` as above.
   bool advance(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
-               cohesion::contact_solver::ContactStep& step, ContactEnergies* energies, bool reads);
+               cohesion::contact_solver::ContactStep& step, ContactEnergies* energies,
+               bool with_stored);
 
   /// Whether a pair has no history and nothing can happen to it in this step, as is true of most
   /// pairs of the engine's list. Cheaper than advance(), which returns false then.
@@ -201,7 +203,7 @@ class ExactContacts {
 
 inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectData& contact,
                                               double* spring, double& force,
-                                              ContactEnergies* energies, bool reads) {
+                                              ContactEnergies* energies, bool with_stored) {
   double* const history = contact.contact_history + offset_;
   const double now = accelerations_->clock();
   if (ContactState::phase_of(history) != ContactState::persistent || history[STEP] != now)
@@ -223,7 +225,7 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   if (state.phase != ContactState::persistent) return false;
   if (energies) {
     set_persistent_losses(step, *energies);
-    if (reads)
+    if (with_stored)
       set_normal_stored(*k->solver, {at, 0.0, false, before, state, state.force, 0.0},
                         contact.radsum, *energies);
   }

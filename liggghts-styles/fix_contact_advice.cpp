@@ -52,10 +52,10 @@ bool is_same(const Report& a, const Report& b) {
 }  // namespace
 
 void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
+  advice->continue_from(printed_[advice->name()]);
   for (const auto& asked : asked_)
     if (asked.lock() == advice) return;
   asked_.push_back(advice);
-  advice->continue_from(printed_[advice->name()]);
 }
 
 /// Walls of which there is the same to say are named together.

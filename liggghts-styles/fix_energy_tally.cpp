@@ -101,7 +101,8 @@ void FixEnergyTally::setup(int) {
                    "compute gran/energy: the last step has no energy tally: what contacts of "
                    "scheme exact store under a load is not known, and entry 10 has that error from "
                    "now on; define the compute before the run that this one continues");
-  tally_->end_set_up(starts, known && !box_.changed(domain));
+  // No contact is exact where the pairs are sampled; what they store the set-up has computed.
+  tally_->end_set_up(starts, known && pairs_are_exact(lmp) && !box_.changed(domain));
   last_clock_ = clock();
   for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
 }

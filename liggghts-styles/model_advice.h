@@ -54,9 +54,9 @@ class ContactAdvice {
 
   /// ID of the fix of the wall; empty for pairs.
   std::string wall() const;
-  /// Under scheme exact; else sampled. A change discards the warnings of the other scheme.
+  /// Under scheme exact; else sampled. What the other scheme printed stays stored under its name.
   void set_exact(bool exact) {
-    if (exact != exact_) *warning_filter_ = {};
+    if (exact != exact_) warning_filter_ = std::make_shared<cohesion::advice::WarningFilter>();
     exact_ = exact;
   }
   bool is_exact() const { return exact_; }

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "atom.h"
-#include "contact/sampled_energies.h"
 #include "domain.h"
 #include "gravity_of_fixes.h"
 #include "sphere.h"
@@ -18,6 +17,7 @@ namespace Cohesion {
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
+using cohesion::contact::SphereMotion;
 using namespace cohesion::contact_solver;
 
 namespace {
@@ -61,10 +61,11 @@ void ModelEnergyTally::add(const ContactModels::SurfacesIntersectData& d,
                            const ContactModels::ForceData& on_j, const OtherModels& models,
                            const ContactEnergies* of_normal) {
   if (contacts_ == touching_.size()) return grow_and_add(d, on_i, on_j, models, of_normal);
-  Touching& c = touching_[contacts_++];
+  Touching& touching = touching_[contacts_++];
   const bool own = is_own_pair(d);
-  c.i = d.i;
-  c.j = own ? d.j : -1;
+  touching.i = d.i;
+  touching.j = own ? d.j : -1;
+  cohesion::contact::SampledForces& c = touching.forces;
   c.lever_i = d.cri;
   c.lever_j = d.crj;
   c.normal_dashpot = 0.0;
@@ -103,9 +104,9 @@ void ModelEnergyTally::add_rolling(const ContactModels::SurfacesIntersectData& d
                                    const ContactModels::ForceData& on_i,
                                    const ContactModels::ForceData& on_j, const Touching& c) {
   rolling_torque_.resize(particles_);
-  const Vector3 turn = cross(c.normal, c.force);
-  rolling_torque_[d.i] += vector(on_i.delta_torque) + d.cri * turn;
-  if (c.j >= 0) rolling_torque_[c.j] += vector(on_j.delta_torque) + d.crj * turn;
+  using cohesion::contact::rolling_torque;
+  rolling_torque_[c.i] += rolling_torque(vector(on_i.delta_torque), d.cri, c.forces);
+  if (c.j >= 0) rolling_torque_[c.j] += rolling_torque(vector(on_j.delta_torque), d.crj, c.forces);
 }
 
 void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
@@ -114,17 +115,13 @@ void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
     of_contacts_[d.i].force += vector(on_i.delta_F);
     of_contacts_[d.i].torque += vector(on_i.delta_torque);
   }
-  wall_all_ += dot(vector(on_i.delta_F), vector(d.v_j));
+  work_of_walls_ += dot(vector(on_i.delta_F), vector(d.v_j));
 }
 
 void ModelEnergyTally::add_wall(const ContactModels::SurfacesCloseData& d,
                                 const ContactModels::ForceData& on_i, const Touching& c) {
   add_wall(d, on_i);
-  const Vector3 v = vector(d.v_j);
-  const double along = dot(c.normal, v);
-  wall_friction_ += dot(c.force, v - along * c.normal);
-  wall_tangential_dashpot_ -= c.damping * dot(c.slip, v);
-  wall_normal_dashpot_ += c.normal_dashpot * along;
+  walls_ += cohesion::contact::wall_powers(c.forces, vector(d.v_j));
 }
 
 void ModelEnergyTally::add_sampled(const ContactModels::SurfacesCloseData& d,
@@ -159,7 +156,8 @@ void ModelEnergyTally::clear() {
   if (others_act_) of_contacts_.assign(particles_, {});
   rolling_torque_.clear();
   sampled_ = {};
-  wall_all_ = wall_friction_ = wall_normal_dashpot_ = wall_tangential_dashpot_ = 0.0;
+  walls_ = {};
+  work_of_walls_ = 0.0;
 }
 
 void ModelEnergyTally::begin_step(bool is_read) {
@@ -200,23 +198,14 @@ void ModelEnergyTally::end_set_up(bool starts, bool known) {
 
 /// The powers of the contacts' forces; `motion_of`: of a particle.
 template <class MotionOf>
-[[gnu::always_inline]] inline ModelEnergyTally::Powers ModelEnergyTally::powers(
+[[gnu::always_inline]] inline ModelEnergyTally::ContactPowers ModelEnergyTally::powers(
     MotionOf motion_of) const {
-  Powers sum;
+  using cohesion::contact::contact_powers;
+  ContactPowers sum;
   for (std::size_t k = 0; k < contacts_; k++) {
     const Touching& c = touching_[k];
-    const Motion i = motion_of(c.i);
-    Vector3 centres = i.velocity, turn = c.lever_i * i.spin;
-    if (c.j >= 0) {
-      const Motion j = motion_of(c.j);
-      centres -= j.velocity;
-      turn += c.lever_j * j.spin;
-    }
-    const Vector3 surfaces = centres - cross(turn, c.normal);
-    const double along = dot(c.normal, centres);
-    sum.friction += dot(c.force, surfaces) - dot(c.force, c.normal) * along;
-    sum.tangential_dashpot -= c.damping * dot(c.slip, surfaces);
-    sum.normal_dashpot += c.normal_dashpot * along;
+    sum += c.j < 0 ? contact_powers(c.forces, motion_of(c.i))
+                   : contact_powers(c.forces, motion_of(c.i), motion_of(c.j));
   }
   for (std::size_t i = 0; i < rolling_torque_.size(); i++)
     sum.rolling += dot(rolling_torque_[i], motion_of(static_cast<int>(i)).spin);
@@ -224,8 +213,8 @@ template <class MotionOf>
 }
 
 /// Adds what they work in the time `length`, of which `after` is after the time level.
-void ModelEnergyTally::add_work(const Powers& power, double length, const Powers& power_after,
-                                double after) {
+void ModelEnergyTally::add_work(const ContactPowers& power, double length,
+                                const ContactPowers& power_after, double after) {
   const auto add = [&](WorkOfForces& work, double all, double later) {
     work.add(length * all - after * later, after * later);
   };
@@ -263,12 +252,14 @@ void ModelEnergyTally::end_unread() {
   const double half = 0.5 * lmp_->update->dt;
   const double* const v = particles_ > 0 ? atom->v[0] : nullptr;
   const double* const omega = particles_ > 0 ? atom->omega[0] : nullptr;
-  const auto motion_of = [=](int i) { return Motion{vector(v + 3 * i), vector(omega + 3 * i)}; };
+  const auto motion_of = [=](int i) {
+    return SphereMotion{vector(v + 3 * i), vector(omega + 3 * i)};
+  };
   add_work(powers(motion_of), 2.0 * half, {}, 0.0);
   if (!others_act_ && mobile_.all_are_free()) return;
   const GravityOfFixes gravity(lmp_->modify);
   for (int i = 0; i < particles_; i++) {
-    const Motion m = motion_of(i);
+    const SphereMotion m = motion_of(i);
     add_external_work(i, forces_on(i, atom->rmass[i] * gravity.on(atom->mask[i])),
                       Passage::without_output(m.velocity, m.spin, half));
   }
@@ -296,10 +287,11 @@ void ModelEnergyTally::end_read(MakePassage make_passage, bool starts) {
       sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
   const Passage times = make_passage({}, {}, {}, {}, half);
-  add_work(
-      powers([&](int i) { return Motion{passages[i].velocity, passages[i].spin}; }), times.length,
-      powers([&](int i) { return Motion{passages[i].velocity_after, passages[i].spin_after}; }),
-      times.after);
+  add_work(powers([&](int i) { return SphereMotion{passages[i].velocity, passages[i].spin}; }),
+           times.length, powers([&](int i) {
+             return SphereMotion{passages[i].velocity_after, passages[i].spin_after};
+           }),
+           times.after);
 }
 
 /// `before` [time]: how much of the step before the time level counts.
@@ -308,10 +300,10 @@ void ModelEnergyTally::add_work_of_walls(double before) {
   const auto add = [&](WorkOfForces& work, double power) {
     work.add(before * power, half * power);
   };
-  add(sums_.external, wall_all_);
-  add(sums_.friction, -wall_friction_);
-  add(tangential_dashpot_, -wall_tangential_dashpot_);
-  add(normal_dashpot_, -wall_normal_dashpot_);
+  add(sums_.external, work_of_walls_);
+  add(sums_.friction, walls_.friction);
+  add(tangential_dashpot_, walls_.tangential_dashpot);
+  add(normal_dashpot_, walls_.normal_dashpot);
 }
 
 void ModelEnergyTally::add_so_far(double factor, double* entries) const {

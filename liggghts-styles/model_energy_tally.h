@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "contact/sampled_energies.h"
 #include "contact_interface.h"
 #include "contact_solver/energy_sums.h"
 #include "energy_tally.h"
@@ -73,21 +74,12 @@ class ModelEnergyTally {
   using WorkOfForces = cohesion::contact_solver::WorkOfForces;
   using ForcesAtLevel = cohesion::contact_solver::ForcesAtLevel;
 
-  /// A contact of this step: its work depends on the velocities after the step.
+  using ContactPowers = cohesion::contact::ContactPowers;
+
+  /// A contact of this step.
   struct Touching {
-    int i, j;  ///< j < 0: a wall, or a particle of another process
-    Vector3 normal, force, slip;
-    double lever_i, lever_j;
-    double damping;         ///< of the tangential dashpot; 0 where it slides
-    double normal_dashpot;  ///< force of that of a sampled contact
-  };
-  struct Motion {
-    Vector3 velocity, spin;
-  };
-  /// [energy/time].
-  struct Powers {
-    double friction = 0.0;  ///< of the tangential spring, dashpot and slider
-    double tangential_dashpot = 0.0, normal_dashpot = 0.0, rolling = 0.0;
+    int i, j;                                 ///< j < 0: a wall, or a particle of another process
+    cohesion::contact::SampledForces forces;  ///< without a normal dashpot: of scheme exact
   };
   struct ForceAndTorque {
     Vector3 force, torque;
@@ -113,8 +105,9 @@ class ModelEnergyTally {
   }
   double owned_fraction(const ContactModels::SurfacesCloseData&) const;
   template <class MotionOf>
-  Powers powers(MotionOf motion_of) const;
-  void add_work(const Powers&, double length, const Powers& after_level, double after);
+  ContactPowers powers(MotionOf motion_of) const;
+  void add_work(const ContactPowers&, double length, const ContactPowers& after_level,
+                double after);
   ForcesAtLevel forces_on(int i, const Vector3& weight) const;
   void add_external_work(int i, const ForcesAtLevel&, const cohesion::contact_solver::Passage&);
   void end_unread();
@@ -134,9 +127,8 @@ class ModelEnergyTally {
   // Of normal springs and adhesion of sampled contacts; as a set-up begins, of others.
   cohesion::contact_solver::StoredEnergies sampled_{}, last_{};
   WorkOfForces normal_dashpot_, tangential_dashpot_, rolling_;
-  // Power of walls that move, by the same kinds of forces and by all of them, [energy/time].
-  double wall_all_ = 0.0, wall_friction_ = 0.0, wall_normal_dashpot_ = 0.0,
-         wall_tangential_dashpot_ = 0.0;
+  ContactPowers walls_;         // of walls that move
+  double work_of_walls_ = 0.0;  // power of walls that move, by all forces, [energy/time]
   bool is_read_ = true;
   bool others_act_ = true;
   bool begun_ = false;

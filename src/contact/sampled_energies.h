@@ -41,4 +41,66 @@ inline double rolling_spring_energy(const Vector3& torque, double stiffness, dou
   return stiffness > 0.0 ? 0.5 * dot(torque, torque) / (stiffness * lever * lever) : 0.0;
 }
 
+/// The forces of a contact, from which their work follows once the velocities after the step are
+/// known.
+struct SampledForces {
+  Vector3 normal;           ///< from j, or the wall, to i
+  Vector3 force;            ///< on i, of all models, [force]
+  Vector3 slip;             ///< of acting_damping(), [velocity]
+  double lever_i, lever_j;  ///< from each centre to the point of contact, [length]
+  double damping;           ///< acting_damping(), [mass/time]
+  double normal_dashpot;    ///< normal_dashpot(), [force]
+};
+
+struct SphereMotion {
+  Vector3 velocity, spin;
+};
+
+/// Powers of the forces of contacts, [energy/time].
+struct ContactPowers {
+  double friction = 0.0;  ///< of the tangential spring, dashpot and slider
+  double tangential_dashpot = 0.0, normal_dashpot = 0.0, rolling = 0.0;
+
+  ContactPowers& operator+=(const ContactPowers& b) {
+    friction += b.friction;
+    tangential_dashpot += b.tangential_dashpot;
+    normal_dashpot += b.normal_dashpot;
+    rolling += b.rolling;
+    return *this;
+  }
+};
+
+/// `centres`: velocity of i's centre relative to j's; `turn`: the spins times their levers, added.
+inline ContactPowers contact_powers(const SampledForces& c, const Vector3& centres,
+                                    const Vector3& turn) {
+  const Vector3 surfaces = centres - cross(turn, c.normal);
+  const double along = dot(c.normal, centres);
+  return {dot(c.force, surfaces) - dot(c.force, c.normal) * along,
+          -c.damping * dot(c.slip, surfaces), c.normal_dashpot * along};
+}
+
+/// Of both particles, without their rolling friction.
+inline ContactPowers contact_powers(const SampledForces& c, const SphereMotion& i,
+                                    const SphereMotion& j) {
+  return contact_powers(c, i.velocity - j.velocity, c.lever_i * i.spin + c.lever_j * j.spin);
+}
+
+/// Of i alone: the share of the particle that touches a wall, or a particle of another process.
+inline ContactPowers contact_powers(const SampledForces& c, const SphereMotion& i) {
+  return contact_powers(c, i.velocity, c.lever_i * i.spin);
+}
+
+/// Of a wall that moves at `velocity`: what contact_powers() of i lacks.
+inline ContactPowers wall_powers(const SampledForces& c, const Vector3& velocity) {
+  const double along = dot(c.normal, velocity);
+  return {-dot(c.force, velocity - along * c.normal), c.damping * dot(c.slip, velocity),
+          -c.normal_dashpot * along};
+}
+
+/// The torque of rolling friction on a particle: what of `torque`, by all models, the tangential
+/// force on i has not at the particle's `lever`.
+inline Vector3 rolling_torque(const Vector3& torque, double lever, const SampledForces& c) {
+  return torque + lever * cross(c.normal, c.force);
+}
+
 }  // namespace cohesion::contact

@@ -146,6 +146,30 @@ fix pdd all particledistribution/discrete 15485867 1 pts 1.0
         self.assertGreater(first.output.count("WARNING: cohesion"), 0)
         self.assertEqual(both.output.count("WARNING: cohesion"), first.output.count("WARNING: cohesion"))
 
+    def test_wall_of_the_scheme_of_the_pairs_repeats_nothing_in_either_scheme(self):
+        def scheme(name):
+            return f"pair_style gran {LINEAR} scheme {name}\npair_coeff * *\n"
+
+        fix = f"fix floor all wall/gran {LINEAR} {FLOOR}\n"
+        again = "unfix floor\n" + fix
+        tables = {name: f"fix wall/gran floor, scheme {name}: what to expect" for name in ("exact", "sampled")}
+
+        def printed(run):
+            run = go(LINEAR + " scheme exact", hamaker(A, cut=CUT, out=OUT), walls=[fix], run=run)
+            self.assertEqual(run.code, 0, run.output[-1000:])
+            return [run.output.count(text) for text in tables.values()], run.output.count("WARNING: cohesion")
+
+        first = "run 1\n" + scheme("sampled") + "run 1\n"
+        once = printed(first)
+        self.assertEqual(once[0], [1, 1])
+        self.assertGreater(once[1], 0)
+        self.assertEqual(printed(first + again + "run 1\n"), once)
+        self.assertEqual(printed(first + scheme("exact") + "run 1\n"), once)
+        self.assertEqual(printed(first + again + scheme("exact") + "run 1\n"), once)
+        # Numbers that only scheme sampled has printed are new to scheme exact.
+        longer = f"timestep {3 * DT:.17g}\n"
+        self.assertEqual(printed(first + longer + "run 1\n" + again + scheme("exact") + "run 1\n")[0], [2, 2])
+
     def test_another_step_is_told(self):
         for step, said in ((1.1 * DT, 2), (DT / 1.5, 1), (DT / 3, 2)):  # shorter: beyond a factor of two
             run = go(LINEAR, hamaker(A, cut=CUT, out=OUT), run=f"run 1\ntimestep {step}\nrun 1\n")

@@ -164,6 +164,47 @@ class Balance(unittest.TestCase):
         self.assertGreater(work, 1e-11)
         self.closes(rows, 0.01, energy=work)
 
+    def test_wall_whose_pairs_change_from_exact_to_sampled(self):
+        # One impact in each run; the wall has the scheme of the pairs.
+        def pairs(scheme):
+            return f"pair_style gran {models} scheme {scheme}\npair_coeff * *\n"
+
+        models = "model hooke/stiffness tangential off cohesion hamaker"
+        ball = [sphere((0, 0, -5e-3 + RADIUS + 5e-6), (0, 0, -0.05))]
+        rows = {}
+        for second in ("exact", "sampled"):
+            rows[second] = tallies(go(models + " scheme exact", hamaker(0), ball, every=20,
+                                      walls=[f"fix floor all wall/gran {models} {FLOOR}"],
+                                      extra="fix g all gravity 200 vector 0 0 -1\n",
+                                      run="run 600\n" + pairs(second) + "run 1600\n"))
+            energy = entry(rows[second][0], KINETIC)
+            self.closes(rows[second], STEP_ERROR)
+            self.assertLess(abs(entry(rows[second][-1], SPRING)), 1e-12 * energy)
+            first = [entry(row, DAMPING) for row in rows[second] if row[0] == 600][0]
+            self.assertGreater(first, 0.1 * energy)
+            self.assertGreater(entry(rows[second][-1], DAMPING), first + 0.05 * energy)
+        for k in range(1, 14):
+            self.assertAlmostEqual(entry(rows["exact"][-1], k), entry(rows["sampled"][-1], k),
+                                   delta=STEP_ERROR * energy, msg=f"entry {k}")
+
+    def test_contacts_that_change_from_exact_to_sampled(self):
+        # In the middle of an impact, of two spheres and of one with a wall.
+        models = "model hooke/stiffness tangential off cohesion hamaker"
+        to_sampled = f"pair_style gran {models} scheme sampled\npair_coeff * *\n"
+        for spheres, steps in (([sphere((0, 0, -5e-3 + RADIUS + 5e-6), (0, 0, -0.05))], 300),
+                               ([sphere((0, 0, 0), (0.05, 0, 0)), sphere((2 * RADIUS + 5e-6, 0, 0), (-0.05, 0, 0))],
+                                200)):
+            with self.subTest(spheres=len(spheres)):
+                rows = tallies(go(models + " scheme exact", hamaker(0), spheres, every=20,
+                                  walls=[f"fix floor all wall/gran {models} {FLOOR}"],
+                                  run=f"run {steps}\n{to_sampled}run 600\n"))
+                before, after = [row for row in rows if row[0] == steps]
+                energy = rows[0][1]
+                self.assertGreater(entry(before, SPRING), 0.1 * energy)
+                for k in (KINETIC, SPRING):
+                    self.assertAlmostEqual(entry(after, k), entry(before, k), delta=STEP_ERROR * energy)
+                self.closes(rows, STEP_ERROR)
+
     def test_other_forces_are_work(self):
         rows = tallies(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 0), (0.01, 0, 0)), sphere((4e-3, 0, 0))], steps=200,

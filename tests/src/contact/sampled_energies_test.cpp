@@ -37,5 +37,62 @@ TEST(SampledEnergies, RollingSpring) {
   EXPECT_EQ(rolling_spring_energy({0.0, 3e-8, 4e-8}, 0.0, 2.5e-4), 0.0);
 }
 
+/// The force on i of spring and dashpots of a contact, with no part that vanishes by symmetry.
+SampledForces oblique_forces() {
+  const Vector3 normal{0.6, 0.0, 0.8}, slip{0.016, 0.01, -0.012};
+  const Vector3 tangential{-0.8e-3, 0.5e-3, 0.6e-3};
+  return {normal, 2e-3 * normal + tangential, slip, 5e-4, 3e-4, 4e-4, 7e-4};
+}
+const SphereMotion MOTION_I{{0.1, -0.2, 0.05}, {30.0, -20.0, 10.0}};
+const SphereMotion MOTION_J{{-0.04, 0.01, 0.02}, {-5.0, 40.0, 15.0}};
+
+/// The power of a force on one sphere at its point of contact, `arm` from its centre.
+double power_at(const Vector3& force, const SphereMotion& m, const Vector3& arm) {
+  return dot(force, m.velocity + cross(m.spin, arm));
+}
+
+TEST(SampledEnergies, PowersAreThoseOfTheForcesOnBothSpheres) {
+  const SampledForces c = oblique_forces();
+  const ContactPowers powers = contact_powers(c, MOTION_I, MOTION_J);
+  const auto power_of = [&](const Vector3& force) {
+    return power_at(force, MOTION_I, -c.lever_i * c.normal) -
+           power_at(force, MOTION_J, c.lever_j * c.normal);
+  };
+  const Vector3 along = dot(c.force, c.normal) * c.normal;
+  EXPECT_NEAR(powers.friction, power_of(c.force - along), 1e-12 * norm(c.force));
+  EXPECT_NEAR(powers.tangential_dashpot, power_of(-c.damping * c.slip), 1e-15 * c.damping);
+  EXPECT_NEAR(powers.normal_dashpot, power_of(c.normal_dashpot * c.normal),
+              1e-12 * c.normal_dashpot);
+  EXPECT_EQ(powers.rolling, 0.0);
+}
+
+TEST(SampledEnergies, SphereAtAWallHasItsOwnShareOfThePowers) {
+  const SampledForces c = oblique_forces();
+  const ContactPowers alone = contact_powers(c, MOTION_I);
+  const ContactPowers beside_rest = contact_powers(c, MOTION_I, SphereMotion{});
+  EXPECT_DOUBLE_EQ(alone.friction, beside_rest.friction);
+  EXPECT_DOUBLE_EQ(alone.tangential_dashpot, beside_rest.tangential_dashpot);
+  EXPECT_DOUBLE_EQ(alone.normal_dashpot, beside_rest.normal_dashpot);
+}
+
+TEST(SampledEnergies, MovingWallAddsThePowersOfTheReverseForces) {
+  const SampledForces c = oblique_forces();
+  ContactPowers sum = contact_powers(c, MOTION_I);
+  sum += wall_powers(c, MOTION_J.velocity);
+  const ContactPowers both = contact_powers(c, MOTION_I, {MOTION_J.velocity, {}});
+  EXPECT_NEAR(sum.friction, both.friction, 1e-12 * norm(c.force));
+  EXPECT_NEAR(sum.tangential_dashpot, both.tangential_dashpot, 1e-15 * c.damping);
+  EXPECT_NEAR(sum.normal_dashpot, both.normal_dashpot, 1e-12 * c.normal_dashpot);
+}
+
+TEST(SampledEnergies, RollingTorqueIsWhatTheTangentialForceHasNot) {
+  const SampledForces c = oblique_forces();
+  const Vector3 rolling{1e-7, -2e-7, 3e-7};
+  const Vector3 by_force = cross(-c.lever_i * c.normal, c.force);
+  EXPECT_NEAR(norm(rolling_torque(by_force + rolling, c.lever_i, c) - rolling), 0.0,
+              1e-12 * norm(by_force));
+  EXPECT_NEAR(norm(rolling_torque(by_force, c.lever_i, c)), 0.0, 1e-12 * norm(by_force));
+}
+
 }  // namespace
 }  // namespace cohesion::contact
