@@ -325,7 +325,7 @@ class Curves(Synthetic):
         self.run_of("A-1-7")
         self.assertEqual(curves.runs(self.folder, self.study(2), "base"), sorted(ours))
         self.assertEqual(curves.runs(self.folder, self.study(0), "base"), [])
-        with self.assertRaisesRegex(curves.CurvesError, "the 3 of row 'base' in summary.csv"):
+        with self.assertRaisesRegex(curves.CurvesError, "the 3 runs of row 'base' in summary.csv"):
             curves.runs(self.folder, self.study(3), "base")
         # As many of the other build.
         self.run_of("base-15", build="other")
