@@ -48,7 +48,9 @@ struct ContactState {
     values[5] = external_before;
     values[6] = account;
   }
-  /// The same of a contact whose stored phase is persistent.
+  /// Stores the force alone, where a sampled contact keeps nothing else of its normal motion.
+  static void store_force(double force, double* values) { values[3] = force; }
+  /// As stored(), of a contact whose stored phase is persistent.
   [[gnu::always_inline]] static ContactState stored_persistent(const double* values) {
     return {persistent, values[1], values[2], values[3],
             values[4],  values[5], values[6], values[7]};

@@ -67,7 +67,7 @@ class SampledContact {
     const RelativeState relative = now.relative();
     PairStep normal = pair_.advance(relative, window_, true);
     if (!(normal.record.contact_time > 0.0)) return false;
-    values[3] = normal.force;
+    ContactState::store_force(normal.force, values);
     step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
     step.repulsion = normal.record.repulsion_impulse;
     DiscreteSpring::Losses slid, rolled;
