@@ -37,6 +37,8 @@ class ClosePairs : protected Pointers {
   /// up to this.
   void start(double allowed);
   double allowed() const { return allowed_; }
+  /// Numbers per history, at the last search.
+  int each() const { return each_; }
   /// The same within a run, where that gap has changed.
   void allow(double allowed) {
     if (allowed != allowed_) start(allowed);

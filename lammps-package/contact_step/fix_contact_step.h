@@ -34,14 +34,6 @@ template <class Engine>
 class ContactWatch;
 struct LammpsRun;
 
-/// Radii and inverse masses of particles and ghosts.
-struct Bodies {
-  const double* radius;
-  const double* inverse_mass;
-
-  cohesion::contact_solver::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
-};
-
 /// The data that all soft contacts share: masses, radii, and the acceleration of each particle and
 /// ghost by the forces of the last step, without impulses that acted within that step. The exact
 /// scheme uses this acceleration as the external one of a contact
@@ -102,8 +94,8 @@ class FixContactStep : public Fix {
   /// Whether this is the first step of a run that continues no other.
   bool starts() const { return starting; }
   /// Particle or ghost i. A particle that no fix integrates has inverse mass 0.
-  cohesion::contact_solver::Body body(int i) const { return bodies()[i]; }
-  Bodies bodies() const { return {atom->radius, inverse_mass}; }
+  cohesion::contact_solver::Body body(int i) const { return {atom->radius[i], inverse_mass[i]}; }
+  const double* inverse_masses() const { return inverse_mass; }
   /// Whether a fix may move a particle that has inverse mass 0.
   bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
   /// Whether a relative velocity [length/time] changes the contact of particle i. The residual
