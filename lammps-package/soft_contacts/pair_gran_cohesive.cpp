@@ -226,7 +226,7 @@ void PairGranCohesive<Cohesion>::find_close() {
   close_pairs.allow(largest_range + (flown > always ? at_most : always));
   // flight() is that of half a step.
   close_pairs.update(*list, reach, 2.0 * contact_step->flight(), contact_step->version_of_radii(),
-                     {history->firstflag, history->firstvalue, per_pair});
+                     *history, per_pair);
 }
 
 template <class Cohesion>

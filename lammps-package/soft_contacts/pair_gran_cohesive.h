@@ -10,7 +10,7 @@
 
 #include "common/bound_pairs.h"
 #include "contact_solver/exact_contact.h"
-#include "contact_step/advised_style.h"
+#include "contact_step/soft_contact_style.h"
 #include "input/cohesive_coefficients.h"
 #include "pair.h"
 #include "sampled_contact/sampled_contact.h"
@@ -23,10 +23,7 @@ namespace LAMMPS_NS {
 /// sampled scheme. `Cohesion` (cohesion_law.h) defines name, keywords, law, range and solvers of
 /// the style.
 template <class Cohesion>
-class PairGranCohesive : public Pair,
-                         public BoundPairs,
-                         public SoftContactStyle,
-                         public AdvisedStyle {
+class PairGranCohesive : public Pair, public BoundPairs, public SoftContactStyle {
  public:
   explicit PairGranCohesive(class LAMMPS*);
   ~PairGranCohesive() override;

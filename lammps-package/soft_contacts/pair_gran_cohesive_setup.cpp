@@ -6,6 +6,7 @@
 #include "atom.h"
 #include "common/distinct_places.h"
 #include "contact_solver/contact_output.h"
+#include "contact_step/altered_particles.h"
 #include "contact_step/fix_contact_step.h"
 #include "neigh_list.h"
 #include "soft_contacts/cohesion_laws.h"
