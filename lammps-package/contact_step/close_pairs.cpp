@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "common/box_shear.h"
 #include "domain.h"
+#include "fix_neigh_history.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "prefetch.h"
@@ -19,10 +20,11 @@ void ClosePairs::start(double allowed) {
 }
 
 void ClosePairs::update(const NeighList& list, double reach, double travelled, long radii,
-                        const RememberedPairs& known) {
+                        const FixNeighHistory& known, int each) {
   const bool new_list = neighbor->ago == 0;
   travelled_ += travelled;
   if (new_list || positions_.empty() || may_have_come(reach, radii == radii_version_)) {
+    each_ = each;
     find(list, known, new_list);
     radii_version_ = radii;
   } else if (++since_counted_ == STEPS_OF_A_COUNT) {
@@ -98,9 +100,8 @@ double ClosePairs::come_closer() const {
 }
 
 /// Finds the pairs with a gap below `allowed`.
-void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool new_list) {
+void ClosePairs::find(const NeighList& list, const FixNeighHistory& known, bool new_list) {
   count_ = 0;
-  each_ = known.each;
   travelled_ = 0.0;
   positions_.clear();
   if (atom->nlocal + atom->nghost == 0) return;
@@ -126,11 +127,11 @@ void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool 
       const double dz = x[3 * j + 2] - zi;
       const double near = near_i + radius[j];
       // Without a branch, since the processor could not predict it.
-      *last = {i, j, known.has_history[i] + jj, known.history[i] + known.each * jj};
+      *last = {i, j, known.firstflag[i] + jj, known.firstvalue[i] + each_ * jj};
       last += dx * dx + dy * dy + dz * dz <= near * near;
     }
     count_ = last - pairs_.data();
-    if (new_list) forget_others(known.has_history[i], count, first, last);
+    if (new_list) forget_others(known.firstflag[i], count, first, last);
   }
   count_remembered();
 }

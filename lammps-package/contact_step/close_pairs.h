@@ -11,15 +11,8 @@
 
 namespace LAMMPS_NS {
 
-/// The contact histories of the pairs in the engine's neighbour list, by particle and index in its
-/// list. Their addresses are valid until the list is rebuilt.
-struct RememberedPairs {
-  int* const* has_history;
-  double* const* history;
-  int each;  ///< numbers per history
-};
-
-/// Two particles that may soon touch, with their contact history.
+/// Two particles that may soon touch, with their contact history, whose addresses are valid until
+/// the list is rebuilt.
 struct ClosePair {
   int i, j;
   int* has_history;
@@ -37,6 +30,8 @@ class ClosePairs : protected Pointers {
   /// up to this.
   void start(double allowed);
   double allowed() const { return allowed_; }
+  /// Numbers per history, at the last search.
+  int each() const { return each_; }
   /// The same within a run, where that gap has changed.
   void allow(double allowed) {
     if (allowed != allowed_) start(allowed);
@@ -45,9 +40,10 @@ class ClosePairs : protected Pointers {
   /// Searches `list` again if a pair outside the close pairs may have a gap below `reach` [length],
   /// which is at most allowed(). After a rebuild of the engine's list, pairs that are not close
   /// lose their history. `travelled` [length]: upper bound of the displacement of a particle since
-  /// the last call; `radii`: differs from the last call's number if radii have changed.
+  /// the last call; `radii`: differs from the last call's number if radii have changed; `known`:
+  /// the histories of the pairs of the list, of `each` numbers.
   void update(const class NeighList& list, double reach, double travelled, long radii,
-              const RememberedPairs& known);
+              const class FixNeighHistory& known, int each);
 
   /// Calls what(ClosePair) for the pairs with a history or a gap below `reach`, in the order of the
   /// list. Pairs are selected in blocks, so that their data can be prefetched.
@@ -71,7 +67,7 @@ class ClosePairs : protected Pointers {
   bool is_near(const ClosePair&, const double* x, const double* radius) const;
   bool may_have_come(double reach, bool radii_as_found) const;
   double come_closer() const;
-  void find(const NeighList&, const RememberedPairs&, bool new_list);
+  void find(const NeighList&, const FixNeighHistory&, bool new_list);
   void count_remembered();
   static void forget_others(int* has_history, int count, const ClosePair* near,
                             const ClosePair* end);

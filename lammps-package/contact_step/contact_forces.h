@@ -17,18 +17,18 @@ namespace LAMMPS_NS {
 using cohesion::vector;
 using cohesion::Vector3;
 
+using cohesion::contact_solver::ContactEnergies;
 using cohesion::contact_solver::ContactHistory;
 using cohesion::contact_solver::ContactState;
+using cohesion::contact_solver::FrictionalStep;
+using cohesion::contact_solver::PairMotion;
+using cohesion::contact_solver::StoredEnergies;
 using HistorySize = ContactHistory::Size;
 
 /// The contacts of one style on one rank in one step. j < 0: a wall.
 template <class Contact, int SIZE>
 class ContactForces {
  public:
-  using ContactEnergies = cohesion::contact_solver::ContactEnergies;
-  using FrictionalStep = cohesion::contact_solver::FrictionalStep;
-  using PairMotion = cohesion::contact_solver::PairMotion;
-
   ContactForces(Atom* atom, FixContactStep* step)
       : step_(step),
         forces_(atom->f[0]),

@@ -8,7 +8,10 @@
 #include "comm.h"
 #include "common/energy_tally_of_runs.h"
 #include "common/renumbering.h"
+#include "contact_step/altered_particles.h"
+#include "contact_step/soft_contact_style.h"
 #include "domain.h"
+#include "engine/mobile_particles.h"
 #include "engine/occasional_lists.h"
 #include "error.h"
 #include "memory.h"
@@ -53,7 +56,7 @@ FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
       warned_of_held(false),
       warned_of_partly_held(false),
       warned_of_added_contacts(false),
-      altered(lammps),
+      altered(std::make_unique<AlteredParticles>(lammps)),
       forces_dt(0.0),
       last(lammps, LAST),
       accelerations(lammps, 3),
@@ -61,7 +64,8 @@ FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
       longest_flight(0.0),
       unresolved(0.0),
       flux_readers(std::make_shared<char>()),
-      flux_wanted(false) {
+      flux_wanted(false),
+      mobile(std::make_unique<MobileParticles>()) {
   nevery = 1;
   comm_forward = 1 + AlteredParticles::EACH;
   restart_peratom = 1;
@@ -130,24 +134,24 @@ void FixContactStep::setup_pre_force(int) {
   if (energy_tally.is_active()) energy_tally.reset_normal();
   find_altered();
   for (SoftContactStyle* some : styles) some->continue_run();
-  altered.forget();
+  altered->forget();
 }
 
 /// Finds the particles that scripts have altered since the last run, and stores the current ones in
 /// their place.
 void FixContactStep::find_altered() {
-  altered.start();
+  altered->start();
   flagged.assign(atom->nlocal + atom->nghost, 0);
   int mine = 0, all = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     double* const saved = last.of(i) + PARTICLE;
-    flagged[i] = altered.compare(i, saved);
+    flagged[i] = altered->compare(i, saved);
     mine |= flagged[i];
-    altered.save(i, saved);
+    altered->save(i, saved);
   }
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
   if (all)
-    forward_flagged(flagged, flagged.empty() ? nullptr : altered.of(0), AlteredParticles::EACH);
+    forward_flagged(flagged, flagged.empty() ? nullptr : altered->of(0), AlteredParticles::EACH);
 }
 
 void FixContactStep::repeat_forces(int i, int j,
@@ -174,7 +178,7 @@ void FixContactStep::follow_renumbering() {
   const Renumbering renumbering(lmp, before);
   if (!renumbering.any()) return;
   for (SoftContactStyle* some : styles) some->renumber(renumbering);
-  for (int i = 0; i < atom->nlocal; i++) altered.save_id(i, last.of(i) + PARTICLE);
+  for (int i = 0; i < atom->nlocal; i++) altered->save_id(i, last.of(i) + PARTICLE);
 }
 
 /// Before the first step, velocities are those of the time level itself, not staggered ones.
@@ -244,22 +248,22 @@ void FixContactStep::pre_force(int) {
 
 void FixContactStep::post_force(int) {
   compute_contacts([] {});
-  if (!idle && mobile.held().any()) hold_spins();
+  if (!idle && mobile->held().any()) hold_spins();
 }
 
 /// A held sphere has infinite mass for friction, too, so it must not turn. Walls act later, and
 /// exert no torque on it.
 void FixContactStep::hold_spins() {
   for (int i = 0; i < atom->nlocal; i++)
-    if (mobile.is_held_but_turned(atom->mask[i])) std::fill_n(atom->torque[i], 3, 0.0);
+    if (mobile->is_held_but_turned(atom->mask[i])) std::fill_n(atom->torque[i], 3, 0.0);
 }
 
 /// Runs the time-step check when it is due: in a continued run, too, whose step, coefficients and
 /// particles may have changed.
 void FixContactStep::advise_if_due(bool setup) {
-  if (advised.empty() || !watch->due(setup)) return;
+  if (styles.empty() || !watch->due(setup)) return;
   AdviceOfStyles advice;
-  for (AdvisedStyle* one : advised) one->give_advice(watch->now(), advice);
+  for (SoftContactStyle* some : styles) some->give_advice(watch->now(), advice);
   advice.print(lmp);
 }
 
@@ -290,7 +294,7 @@ void FixContactStep::post_run() {
   }
   tallies_begun = false;
   running = false;
-  altered.save_box();
+  altered->save_box();
   if (resuming) return;  // no step was made: `last` is still valid for the next run
   tally_unknown = !idle && !energy_tally.is_read();
   last.grow(atom->nmax);
@@ -307,7 +311,7 @@ void FixContactStep::save_last(int i, double* values) const {
     std::copy_n(atom->torque[i], 3, values + TORQUE);
     put(impulsive_forces[i], values + IMPULSIVE);
   }
-  altered.save(i, values + PARTICLE);
+  altered->save(i, values + PARTICLE);
 }
 
 void FixContactStep::report_unresolved() {

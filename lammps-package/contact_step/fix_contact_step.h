@@ -18,29 +18,20 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #include "contact_solver/energy_sums.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_solver/pair_motion.h"
-#include "contact_step/advised_style.h"
-#include "contact_step/altered_particles.h"
 #include "contact_step/contact_energy_tally.h"
 #include "contact_step/contact_impulses.h"
-#include "contact_step/soft_contact_style.h"
 #include "domain.h"
 #include "engine/atom_numbers.h"
-#include "engine/mobile_particles.h"
 #include "fix.h"
 
 namespace LAMMPS_NS {
 
+class AlteredParticles;
+class MobileParticles;
+class SoftContactStyle;
 template <class Engine>
 class ContactWatch;
 struct LammpsRun;
-
-/// Radii and inverse masses of particles and ghosts.
-struct Bodies {
-  const double* radius;
-  const double* inverse_mass;
-
-  cohesion::contact_solver::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
-};
 
 /// The data that all soft contacts share: masses, radii, and the acceleration of each particle and
 /// ghost by the forces of the last step, without impulses that acted within that step. The exact
@@ -96,16 +87,16 @@ class FixContactStep : public Fix {
   /// Whether steps are being made; otherwise the state is that between two runs.
   bool is_running() const { return running; }
   /// What scripts have altered since the last run; filled while a continued run is set up.
-  const AlteredParticles& altered_particles() const { return altered; }
+  const AlteredParticles& altered_particles() const { return *altered; }
   /// Whether the last run ended in a step without stored energies, so that its totals are unknown.
   bool last_tally_unknown() const { return tally_unknown; }
   /// Whether this is the first step of a run that continues no other.
   bool starts() const { return starting; }
   /// Particle or ghost i. A particle that no fix integrates has inverse mass 0.
-  cohesion::contact_solver::Body body(int i) const { return bodies()[i]; }
-  Bodies bodies() const { return {atom->radius, inverse_mass}; }
+  cohesion::contact_solver::Body body(int i) const { return {atom->radius[i], inverse_mass[i]}; }
+  const double* inverse_masses() const { return inverse_mass; }
   /// Whether a fix may move a particle that has inverse mass 0.
-  bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
+  bool is_led(int i) const;
   /// Whether a relative velocity [length/time] changes the contact of particle i. The residual
   /// velocity that fix freeze leaves of a particle at rest does not.
   bool carries_along(int i, const cohesion::Vector3& velocity) const {
@@ -212,7 +203,6 @@ class FixContactStep : public Fix {
   void forget_impulses();
 
   std::vector<SoftContactStyle*> styles;  // those of this run
-  std::vector<AdvisedStyle*> advised;     // the same
   std::unique_ptr<ContactWatch<LammpsRun> > watch;
 
   char* forwarded_flags;     // per atom and ghost: whether it has values to forward
@@ -228,7 +218,7 @@ class FixContactStep : public Fix {
   bool warned_of_unturned, warned_of_held, warned_of_partly_held, warned_of_added_contacts;
   bool warned_of_unmoved = false;
   std::set<std::string> warned_of_walls;  // texts of the warnings so far
-  AlteredParticles altered;
+  std::unique_ptr<AlteredParticles> altered;
   double forces_dt;                   // forces_length(); 0 before the first step
   AtomNumbers last;                   // between two runs: save_last()
   double last_dt = 0.0;               // last_length()
@@ -249,7 +239,7 @@ class FixContactStep : public Fix {
   double unresolved;                        // contacts not resolved to the end of a step, this run
   ContactEnergyTally::Reader flux_readers;  // its use count is the number of readers
   bool flux_wanted;
-  MobileParticles mobile;
+  std::unique_ptr<MobileParticles> mobile;
 };
 
 }  // namespace LAMMPS_NS

@@ -12,6 +12,7 @@
 #include "common/engine_api.h"
 #include "contact_step/fix_contact_step.h"
 #include "domain.h"
+#include "engine/mobile_particles.h"
 #include "input/restart_format.h"
 #include "memory.h"
 #include "neighbor.h"
@@ -39,7 +40,7 @@ void FixContactStep::update_masses(int all) {
   const double* const mass = atom->rmass;
   if (any_dynamic_group) return update_masses_by_owners(all);
   if (neighbor->ago == 0 || known_masses.empty()) {
-    for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
+    for (int i = 0; i < all; i++) inverse_mass[i] = mobile->inverse_mass(atom->mask[i], mass[i]);
   } else {
     if (std::memcmp(known_masses.data(), mass, all * sizeof(double)) == 0) return;
     for (int i = 0; i < all; i++)
@@ -51,10 +52,12 @@ void FixContactStep::update_masses(int all) {
 /// The same with dynamic groups, of which only owners know whether they move their particles.
 void FixContactStep::update_masses_by_owners(int all) {
   std::vector<char> moves(all, 0);
-  for (int i = 0; i < atom->nlocal; i++) moves[i] = mobile.inverse_mass(atom->mask[i], 1.0) != 0.0;
+  for (int i = 0; i < atom->nlocal; i++) moves[i] = mobile->inverse_mass(atom->mask[i], 1.0) != 0.0;
   forward_flagged(moves, nullptr, 0);
   for (int i = 0; i < all; i++) inverse_mass[i] = moves[i] ? 1.0 / atom->rmass[i] : 0.0;
 }
+
+bool FixContactStep::is_led(int i) const { return mobile->is_led(atom->mask[i]); }
 
 void FixContactStep::update_radii(int all) {
   const double* const radius = atom->radius;

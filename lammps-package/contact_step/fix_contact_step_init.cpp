@@ -14,7 +14,9 @@
 #include "common/unmoved_spheres.h"
 #include "common/unturned_spheres.h"
 #include "contact_step/fix_contact_step.h"
+#include "contact_step/soft_contact_style.h"
 #include "engine/announced_particles.h"
+#include "engine/mobile_particles.h"
 #include "engine/pair_members.h"
 #include "engine/rerun.h"
 #include "error.h"
@@ -37,7 +39,7 @@ void FixContactStep::init() {
                "scheme exact needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
   find_styles();
-  mobile.look_up(lmp);
+  mobile->look_up(lmp);
   bool before_me = true;
   any_dynamic_group = false;
   for (int i = 0; i < modify->nfix; i++) {
@@ -71,16 +73,10 @@ void FixContactStep::init() {
 
 void FixContactStep::find_styles() {
   styles.clear();
-  advised.clear();
-  for (int i = 0; i < modify->nfix; i++) {
-    Fix* const fix = modify->fix[i];
-    if (auto* wall = dynamic_cast<SoftContactStyle*>(fix)) styles.push_back(wall);
-    if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
-  }
-  for (const PairMember& member : pair_members(force)) {
+  for (int i = 0; i < modify->nfix; i++)
+    if (auto* wall = dynamic_cast<SoftContactStyle*>(modify->fix[i])) styles.push_back(wall);
+  for (const PairMember& member : pair_members(force))
     if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
-    if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
-  }
 }
 
 /// Whether anything but contacts and gravity exerts forces.
@@ -178,7 +174,8 @@ void FixContactStep::warn_of_spins() {
   for (int type = 1; type <= atom->ntypes; type++)
     for (const SoftContactStyle* some : styles)
       has_friction[type] = has_friction[type] || some->has_friction(type);
-  if (!warned_of_unturned) warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
+  if (!warned_of_unturned) warned_of_unturned = warn_of_unturned(lmp, *mobile, has_friction);
   if (!warned_of_held)
-    warned_of_held = warn_of_held_turned(lmp, mobile.held(), mobile.turned_groups(), has_friction);
+    warned_of_held =
+        warn_of_held_turned(lmp, mobile->held(), mobile->turned_groups(), has_friction);
 }

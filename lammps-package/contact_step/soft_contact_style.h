@@ -3,10 +3,16 @@
 #define COHESION_SOFT_CONTACT_STYLE_H
 
 namespace cohesion::advice {
+struct AdvisedContact;
+struct LightestParticle;
+struct RunConditions;
 struct StickingRules;
-}
+class WarningFilter;
+}  // namespace cohesion::advice
 
 namespace LAMMPS_NS {
+
+class AdviceOfStyles;
 
 /// Interface of FixContactStep to the pair styles and walls with soft contacts of either scheme.
 /// These compute their contacts in Pair::compute or Fix::post_force.
@@ -20,6 +26,9 @@ class SoftContactStyle {
   virtual bool is_exact_scheme() const = 0;
   /// The parameters that decide which particles stick.
   virtual cohesion::advice::StickingRules sticking_rules() const = 0;
+  /// Adds the time-step check of its contacts: before the first step of a run, and within it when
+  /// step or particles have changed.
+  virtual void give_advice(const cohesion::advice::RunConditions&, AdviceOfStyles&) = 0;
   /// Whether its contacts have a spring and act in this run.
   virtual bool has_contacts() const { return true; }
   /// Called when a run continues with the forces of the last one: finds the pairs that have entered

@@ -24,7 +24,7 @@ struct SchemeLimits;
 namespace LAMMPS_NS {
 
 /// How the motion of contacts is integrated; to add a scheme: its pair in src/contact_solver, its
-/// row in `schemes`, its alternative in the styles' AnyContacts.
+/// row in `schemes`, its alternative in PairGranCohesive and FixWallGranCohesive.
 enum class Scheme { exact, sampled };
 
 /// What `scheme name` says.

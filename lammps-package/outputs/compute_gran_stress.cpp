@@ -5,6 +5,7 @@
 
 #include "comm.h"
 #include "contact_step/fix_contact_step.h"
+#include "contact_step/soft_contact_style.h"
 #include "engine/pair_members.h"
 #include "error.h"
 #include "soft_contacts/cohesion_laws.h"

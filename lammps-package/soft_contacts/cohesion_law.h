@@ -31,7 +31,9 @@ Core mixed_law(const Core& a, const Core& b) {
 ///   Sampled                       of src/sampled_contact: its normal motion in scheme sampled
 ///   keywords()                    of pair_coeff and of the fix, which set Parameters::law
 ///
-/// and hides what is different with it. Its row in cohesion_laws.h makes it known.
+/// and hides what is different with it. Its row in cohesion_laws.h makes it known. Units of their
+/// own compile the steps of a Solver (as liquid_bridge_step.cpp) and of a Sampled
+/// (sampled_step.cpp).
 template <class Core>
 class CohesionLaw {
  public:

@@ -9,7 +9,6 @@
 #include "advice/warning_filter.h"
 #include "common/contact_watch.h"
 #include "contact/contact_parameters.h"
-#include "contact_step/advised_style.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {

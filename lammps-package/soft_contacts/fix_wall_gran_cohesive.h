@@ -11,9 +11,9 @@
 #include "common/guarded.h"
 #include "contact_solver/exact_contact.h"
 #include "contact_solver/wall.h"
-#include "contact_step/advised_style.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"
+#include "contact_step/soft_contact_style.h"
 #include "engine/region_faces.h"
 #include "fix.h"
 #include "input/cohesive_contact_from_script.h"
@@ -27,9 +27,7 @@ namespace LAMMPS_NS {
 /// Walls with the contact law of PairGranCohesive; a wall is a partner of infinite mass and radius.
 /// `Cohesion`: as there.
 template <class Cohesion>
-class FixWallGranCohesive : public FixWithWallHistory,
-                            public SoftContactStyle,
-                            public AdvisedStyle {
+class FixWallGranCohesive : public FixWithWallHistory, public SoftContactStyle {
  public:
   FixWallGranCohesive(class LAMMPS*, int, char**);
   ~FixWallGranCohesive() override;

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact_solver/contact_output.h"
+#include "contact_step/altered_particles.h"
 #include "error.h"
 #include "input/restart_format.h"
 #include "input/wall_course_in_restart.h"

@@ -6,7 +6,9 @@
 
 #include "advice/warning_filter.h"
 #include "atom.h"
+#include "comm.h"
 #include "common/engine_api.h"
+#include "common/guarded.h"
 #include "common/plausible_sizes.h"
 #include "contact_step/fix_contact_step.h"
 #include "engine/flight_report.h"
@@ -17,12 +19,13 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "neighbor.h"
 #include "soft_contacts/cohesion_laws.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::contact_solver;
 using cohesion::Vector3;
+using cohesion::contact_solver::Body;
 
 template <class Cohesion>
 PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
@@ -93,11 +96,9 @@ void PairGranCohesive<Cohesion>::init_style() {
   coefficients.start();
   is_active = coefficients.any_active();
   if (coefficients.scheme() == Scheme::exact)
-    any_contacts.template emplace<static_cast<int>(Scheme::exact)>();
+    pair_contacts.emplace(contacts_of_run<ExactContact>());
   else
-    any_contacts.template emplace<static_cast<int>(Scheme::sampled)>();
-  std::visit([this](auto& contacts) { contacts.last.resize(coefficients.type_pairs()); },
-             any_contacts);
+    pair_contacts.emplace(contacts_of_run<SampledContact>());
   friction = false;
   largest_range = 0.0;
   warned_of_flight = false;
@@ -151,6 +152,112 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   largest_range = std::max(largest_range, range);
   close_pairs.start(largest_range + flight_allowance());
   return largest_radius[i] + largest_radius[j] + range + flight_allowance();
+}
+
+template <class Cohesion>
+template <class Contact>
+PairContacts<Contact> PairGranCohesive<Cohesion>::contacts_of_run() {
+  const auto create = [this](int i, int j, const Body& a, const Body& b) {
+    const int types = coefficients.pair_index(atom->type[i], atom->type[j]);
+    return contact_step->contact<Contact>(
+        coefficients.contact(types),
+        coefficients.template attraction<typename Contact::Attraction>(types, a.radius, b.radius),
+        a, b);
+  };
+  const auto add_to_tally = [this](int i, int j, const Vector3& separation, double energy,
+                                   const Vector3& impulse) {
+    tally(i, j, separation, energy, impulse);
+  };
+  return {lmp, contact_step, create, add_to_tally};
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  coefficients.require_committed();
+  if (update->whichflag == 2)
+    error->all(FLERR,
+               coefficients.message_prefix() + " follows motion in time; it cannot be minimized");
+  if (!is_active) {
+    history_stale = true;
+    return;
+  }
+  if (contact_step->resumes()) {
+    repeat_forces();
+    return;
+  }
+  contact_step->compute_contacts([this] {
+    begin_step();
+    const int size =
+        friction || per_pair == HistorySize::with_rolling ? per_pair : HistorySize::normal_only;
+    guarded(lmp, coefficients.message_prefix(), [this, size] {
+      std::visit(
+          [this, size](auto& c) { c.compute(close_pairs, size, coefficients.only_law(), evflag); },
+          *pair_contacts);
+    });
+  });
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::begin_step() {
+  if (history_stale) forget_all();
+  if (neighbor->ago == 0) check_radii(lmp, coefficients.message_prefix(), largest_radius);
+  if (contact_step->starts()) require_distinct_places();
+  find_close();
+}
+
+/// Finds the pairs that may touch in this step. The neighbour list always contains the pairs with a
+/// gap up to the flight allowance, and in the step of its rebuild those up to a skin more. If
+/// particles fly farther than half of the allowance, it is rebuilt in each step, before the speed
+/// can double.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::find_close() {
+  // Both particles fly a whole step. The sampled scheme finds them as far beyond the edge.
+  constexpr double flights = 4.0;
+  const double flown = flights * contact_step->flight(), always = flight_allowance();
+  const double at_most = always + neighbor->skin;
+  const double now = neighbor->ago == 0 ? at_most : always;
+  if (flown > now) stop_at_flight(flown / flights, now / flights);
+  if (flown > 0.5 * always) contact_step->next_reneighbor = update->ntimestep + 1;
+  if (flown > 0.7 * at_most) warn_of_flight(flown / flights, at_most / flights);
+  const double reach = largest_range + flown;
+  close_pairs.allow(largest_range + (flown > always ? at_most : always));
+  // flight() is that of half a step.
+  close_pairs.update(*list, reach, 2.0 * contact_step->flight(), contact_step->version_of_radii(),
+                     *history, per_pair);
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::stop_at_flight(double flight, double allowed) {
+  error->one(FLERR,
+             "{}: particles fly up to {} in half a step and could miss a contact, the neighbour "
+             "list allows for {}: use a smaller time step or a skin above {}. The fastest: {}",
+             coefficients.message_prefix(), flight, allowed, neighbor->skin * flight / allowed,
+             report_fastest(lmp));
+}
+
+/// With the skin that the text names, the warning does not recur.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
+  if (warned_of_flight) return;
+  warned_of_flight = true;
+  if (comm->me == 0)
+    error->warning(
+        FLERR,
+        "{}: particles fly up to {} in half a step, above 70 % of the {} at which the run "
+        "stops, since they could miss a contact: use a smaller time step or a skin above {}",
+        coefficients.message_prefix(), flight, allowed, neighbor->skin * flight / (0.7 * allowed));
+}
+
+/// Adds energy and virial of a pair; the impulse acts on j.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, double energy,
+                                       const Vector3& impulse) {
+  const Vector3 on_i = -contact_step->impulses.kick() * impulse;
+  ev_tally_xyz(i, j, atom->nlocal, 0, energy, 0.0, on_i.x, on_i.y, on_i.z, -separation.x,
+               -separation.y, -separation.z);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -6,6 +6,7 @@
 #include "atom.h"
 #include "common/distinct_places.h"
 #include "contact_solver/contact_output.h"
+#include "contact_step/altered_particles.h"
 #include "contact_step/fix_contact_step.h"
 #include "neigh_list.h"
 #include "soft_contacts/cohesion_laws.h"
@@ -60,15 +61,15 @@ bool PairGranCohesive<Cohesion>::is_altered(int i, int j) const {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_in_range() {
   std::visit(
-      [this](auto& contacts) {
-        contacts.clear();
+      [this](auto& all) {
+        all.clear();
         for_each_listed([&](int i, int j, int& has_history, double* values) {
           if (has_history && !is_altered(i, j)) return;
           const double apart = distance(i, j);
           // The contact is needed only for pairs within the largest range.
           bool near = moves(i, j) && apart < atom->radius[i] + atom->radius[j] + largest_range;
           if (near) {
-            const auto& contact = contacts.all[contact_index(contacts, particles(), i, j)];
+            const auto& contact = all.between(i, j);
             near = is_inside(has_history, values)
                        ? apart < contact.bodies().distance() + contact.range()
                        : contact.is_in_range(apart);
@@ -80,7 +81,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
           has_history = !known.normal.is_outside() || near;
         });
       },
-      any_contacts);
+      *pair_contacts);
 }
 
 template <class Cohesion>
@@ -123,7 +124,7 @@ void PairGranCohesive<Cohesion>::repeat_forces() {
     contact_step->repeat_forces(i, j, forces);
     if (!evflag) return;
     const StoredEnergies stored = contact.stored(separation, known);
-    ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, -forces.impulse.x,
+    ev_tally_xyz(i, j, atom->nlocal, 0, stored.potential(), 0.0, -forces.impulse.x,
                  -forces.impulse.y, -forces.impulse.z, -separation.x, -separation.y, -separation.z);
   });
 }
@@ -133,17 +134,15 @@ template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
   std::visit(
-      [&](auto& contacts) {
-        contacts.clear();
+      [&](auto& all) {
+        all.clear();
         for_each_listed([&](int i, int j, int has_history, double* values) {
           if (!has_history || !moves(i, j)) return;
           ContactState::restore_signs(values);
-          what(i, j, contacts.all[contact_index(contacts, particles(), i, j)],
-               particles().relative_state(i, j).separation,
-               ContactHistory::stored(values, per_pair));
+          what(i, j, all.between(i, j), separation(i, j), ContactHistory::stored(values, per_pair));
         });
       },
-      any_contacts);
+      *pair_contacts);
 }
 
 /// The history of j in the list of i, or null.
@@ -177,13 +176,12 @@ double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, do
   std::vector<double> values(in_list, in_list + per_pair);
   ContactState::restore_signs(values.data());
   const ContactOutput found = std::visit(
-      [&](auto& contacts) {
-        return output_of(contacts.all[contact_index(contacts, particles(), i, j)],
-                         particles().relative_state(i, j).separation,
+      [&](auto& all) {
+        return output_of(all.between(i, j), separation(i, j),
                          ContactHistory::stored(values.data(), per_pair),
                          contact_step->forces_length());
       },
-      any_contacts);
+      *pair_contacts);
   over_distance = found.force / std::sqrt(rsq);
   if (single_extra > 0) {
     svector[0] = found.place;

@@ -53,6 +53,7 @@ class PairHistory {
   }
 
   FixContactHistory* operator->() const { return fix_; }
+  const FixContactHistory& operator*() const { return *fix_; }
 
   void renumber(const Renumbering& renumbering) {
     if (fix_) fix_->renumber(renumbering);

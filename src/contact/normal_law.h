@@ -13,7 +13,7 @@ namespace cohesion::contact {
 /// Spring and dashpot along the normal of a contact, without adhesion. To add a law: its file, its
 /// alternative here, what moves a contact under it (contact_solver/normal_motion.h), its LawKind
 /// with kind_of_law() and normal_law() (contact/contact_parameters.h), and its loop over pairs
-/// (lammps-package/soft_contacts/pair_gran_cohesive_step.cpp, compute_contacts()).
+/// (lammps-package/soft_contacts/pair_contacts_step.h, compute_sized()).
 using NormalLaw = std::variant<LinearSpringDashpot, HertzSpringDashpot, JkrSpringDashpot>;
 
 inline bool is_linear(const NormalLaw& law) {

@@ -32,7 +32,7 @@ ContactOutput output_of(const Contact& contact, const Vector3& separation,
   ContactOutput output;
   output.overlap = contact.bodies().distance() - norm(separation);
   output.force = history.normal.force;
-  output.energy = energies.spring + energies.adhesion;
+  output.energy = energies.potential();
   if (history.normal.in_range()) output.place = ContactOutput::in_range;
   if (!contact.touches(output.overlap, history)) return output;
   output.place = ContactOutput::touching;

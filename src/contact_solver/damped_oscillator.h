@@ -101,24 +101,21 @@ class DampedOscillator {
     return static_cast<bool>((end.x >= 0.0) & ((start.v >= 0.0) | (end.v <= 0.0)));
   }
 
-  /// Where an overlap ends, and its rate there.
-  struct Zero {
-    double time;
-    double rate;
-  };
   /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is
-  /// back at zero; infinity if it stays positive. `end` is the state at t_end, and t_end at most
-  /// half a period, so that the overlap turns at most once.
-  Zero first_zero(Overlap start, double drive, double t_end, Overlap end) const {
-    if (stays_positive(start, end)) return never();
+  /// back at zero; infinity if it stays positive. `end` is the state at t_end, and is set to that
+  /// at the zero. t_end is at most half a period, so that the overlap turns at most once.
+  double first_zero(Overlap start, double drive, double t_end, Overlap& end) const {
+    if (stays_positive(start, end)) return never;
     if (start.v >= 0.0 || end.v <= 0.0) return falling_zero(start, drive, t_end, end);
     const double turn = std::min(turning_time(start, drive), t_end);
     const Overlap lowest = after(turn, start, drive);
-    return lowest.x < 0.0 ? falling_zero(start, drive, turn, lowest) : never();
+    if (!(lowest.x < 0.0)) return never;
+    end = lowest;
+    return falling_zero(start, drive, turn, end);
   }
 
  private:
-  static Zero never() { return {std::numeric_limits<double>::infinity(), 0.0}; }
+  static constexpr double never = std::numeric_limits<double>::infinity();
 
   /// When the rate is first zero; infinity if never.
   double turning_time(Overlap start, double drive) const {
@@ -128,15 +125,16 @@ class DampedOscillator {
       return std::atan2(sign * q_ * start.v, sign * pull) / q_;
     }
     const bool one_sign = (start.v > 0.0 && pull > 0.0) || (start.v < 0.0 && pull < 0.0);
-    if (!one_sign || std::abs(start.v) * 1e-300 >= std::abs(pull)) return never().time;
+    if (!one_sign || std::abs(start.v) * 1e-300 >= std::abs(pull)) return never;
     const double ratio = start.v / pull;
     if (!overdamped_) return ratio;
-    return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never().time;
+    return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never;
   }
 
   /// The falling zero between the start and `low`, where the overlap is `at` < 0: by parabolas,
-  /// kept in the bracket, until what they leave out is below rounding.
-  Zero falling_zero(Overlap start, double drive, double low, Overlap at) const {
+  /// kept in the bracket, until what they leave out is below rounding. Sets `at` to the state
+  /// there.
+  double falling_zero(Overlap start, double drive, double low, Overlap& at) const {
     constexpr double rounding = 2.0 * std::numeric_limits<double>::epsilon();
     double high = 0.0, t = low;
     for (int i = 0; i < 100; i++) {
@@ -150,9 +148,10 @@ class DampedOscillator {
         const double fourth = -2.0 * alpha_ * third - w0_squared_ * bend;
         const double left_out =
             way * way * std::abs(way) * (std::abs(third) + 0.25 * std::abs(fourth * way)) / 6.0;
-        if (left_out <= rounding * low * rate)
-          return {std::clamp(t + way, high, low),
-                  std::min(at.v + way * (bend + 0.5 * way * third), 0.0)};
+        if (left_out <= rounding * low * rate) {
+          at = {0.0, std::min(at.v + way * (bend + 0.5 * way * third), 0.0)};
+          return std::clamp(t + way, high, low);
+        }
         if (t + way > high && t + way < low) next = t + way;
       }
       if (std::abs(next - t) <= rounding * low) break;
@@ -160,7 +159,8 @@ class DampedOscillator {
       at = after(t, start, drive);
       (at.x >= 0.0 ? high : low) = t;
     }
-    return {t, std::min(at.v, 0.0)};
+    at = {0.0, std::min(at.v, 0.0)};
+    return t;
   }
 
   double w0_squared_;

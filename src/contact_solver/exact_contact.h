@@ -11,7 +11,6 @@
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/normal_energies.h"
-#include "contact_solver/spring_step.h"
 
 namespace cohesion::contact_solver {
 
@@ -160,15 +159,17 @@ class ExactContact {
     step.unresolved = normal.record.unresolved;
     step.action.impulse = (velocity_step * normal.force * inverse) * s;
     if (solver_.gave_impulse(history.normal)) step.at_edge = step.action.impulse;
-    const SpringStep::Normal n{before,
-                               history.normal,
-                               normal,
-                               first ? 0.0 : solver_.offset(at, external, before),
-                               bodies_.distance() - at.distance,
-                               bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
-                               solver_.repulsion(at, before),
-                               overlap_at_end(now, step.action.impulse),
-                               lowest_overlap_};
+    const ContactSpring::NormalStep n{
+        before,
+        history.normal,
+        normal,
+        first ? 0.0 : 2.0 * bodies_.reduced_mass() * solver_.offset(at, external, before) / step_,
+        friction_load_,
+        bodies_.distance() - at.distance,
+        bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
+        solver_.repulsion(at, before),
+        overlap_at_end(now, step.action.impulse),
+        lowest_overlap_};
     if (energies) {
       const SolvedStep solved{at,           external,         first, before, history.normal,
                               normal.force, normal.dissipated};
@@ -284,14 +285,12 @@ class ExactContact {
 
   /// Adds impulse and energies of sliding friction.
   void add_sliding(const PairMotion& now, const ContactBodies::Touch& touch,
-                   const SpringStep::Normal& n, DiscreteSpring::State& state, FrictionalStep& step,
-                   ContactEnergies* energies) const {
-    SpringStep::Energies spring;
-    step.friction =
-        SpringStep(bodies_, step_, friction_load_)
-            .advance(sliding_, touch,
-                     touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j), {}, n,
-                     state, energies ? &spring : nullptr);
+                   const ContactSpring::NormalStep& n, DiscreteSpring::State& state,
+                   FrictionalStep& step, ContactEnergies* energies) const {
+    ContactSpring::Energies spring;
+    step.friction = sliding_.advance(
+        touch, touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j), {}, n, state,
+        energies ? &spring : nullptr);
     touch.add_sliding_impulse(step.friction, step.action);
     if (!energies) return;
     energies->stored.tangential_spring = spring.stored;
@@ -300,17 +299,16 @@ class ExactContact {
   }
   /// The same of rolling friction, after sliding friction.
   void add_rolling(const PairMotion& now, const ContactBodies::Touch& touch,
-                   const SpringStep::Normal& n, DiscreteSpring::State& state, FrictionalStep& step,
-                   ContactEnergies* energies) const {
-    SpringStep::Energies spring;
+                   const ContactSpring::NormalStep& n, DiscreteSpring::State& state,
+                   FrictionalStep& step, ContactEnergies* energies) const {
+    ContactSpring::Energies spring;
     // Friction has turned the spheres by this much in the middle of a resolved step.
     const Vector3 turned =
         touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
                                bodies_.inverse_inertia_j() * step.action.torque_j);
     touch.add_rolling_impulse(
-        SpringStep(bodies_, step_, friction_load_)
-            .advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n,
-                     state, energies ? &spring : nullptr),
+        rolling_.advance(touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n, state,
+                         energies ? &spring : nullptr),
         step.action);
     if (!energies) return;
     energies->stored.rolling_spring = spring.stored;

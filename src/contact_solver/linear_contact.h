@@ -98,11 +98,7 @@ class LinearContact {
     const double drive = pull_ - resolved_outward(outward);
     const auto propagator = time == whole_step_.time ? whole_step_ : oscillator_.propagator(time);
     Overlap end = oscillator_.after(propagator, s, drive);
-    const DampedOscillator::Zero zero = oscillator_.first_zero(s, drive, time, end);
-    if (zero.time <= time) {
-      time = zero.time;
-      end = {0.0, zero.rate};
-    }
+    time = std::min(time, oscillator_.first_zero(s, drive, time, end));
     record_contact(s, end, time, drive, record);
     return time;
   }

@@ -43,6 +43,8 @@ struct StoredEnergies {
   double adhesion;  ///< zero for particles far from each other
   /// What the normal motion stores by its energy account less spring and adhesion.
   double load = 0.0;
+
+  double potential() const { return spring + adhesion; }
 };
 
 /// What a contact does to its particles: the impulse acts on j, its reverse on i.

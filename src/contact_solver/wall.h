@@ -8,6 +8,7 @@
 
 #include "constants.h"
 #include "contact_solver/relative_state.h"
+#include "contact_solver/step_window.h"
 #include "validation.h"
 
 namespace cohesion::contact_solver {

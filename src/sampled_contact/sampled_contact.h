@@ -7,6 +7,7 @@
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/pair_motion.h"
 #include "contact_solver/relative_state.h"
+#include "contact_solver/step_window.h"
 #include "sampled_contact/sampled_pair.h"
 
 namespace cohesion::sampled_contact {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact_solver/step_window.h"
 #include "sampled_contact/sampled_repulsion.h"
 
 namespace cohesion::sampled_contact {
