@@ -130,6 +130,7 @@ class ElasticNumbers {
     contact::ContactParameters p;
     contact::set_hertz(p, r.young, r.poisson);
     p.restitution = r.restitution;
+    p.friction = 1.0;  // of which the time steps are less
     if (r.surface_energy > 0.0) contact::set_surface_energy(p, r.surface_energy);
     return p;
   }
@@ -167,10 +168,10 @@ class ElasticNumbers {
     lines({name + "contact_time", "contact time, impact at the speed", time, "[time]"});
     lines({name + "overlap", "largest overlap of this impact", pair.largest_overlap(speed_),
            "[length]"});
-    lines({name + "step", "time step, a twentieth of it",
-           time / advice::steps_per_integrated_contact, "[time]"});
-    lines({name + "largest_step", "largest step without a warning, a tenth",
-           time / advice::exact_scheme.integrated_for_warning, "[time]"});
+    lines({name + "step", "time step, a twentieth of it or less", pair.advised_step(speed_),
+           "[time]"});
+    lines({name + "largest_step", "largest step without a warning, a tenth or less",
+           pair.largest_step(speed_), "[time]"});
   }
 
   const ElasticRequest& request_;

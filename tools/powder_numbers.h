@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "advice/advised_step.h"
 #include "advice/elastic_pair.h"
 #include "drag/drag_closure.h"
 #include "hamaker/range_of_validity.h"
@@ -67,11 +68,9 @@ class Powder {
       elastic = elastic_of(load);
     else
       springs = springs_under(load);
-    const double contact_time =
-        elastic ? elastic->used.contact_time(speed) : springs.used.contact_time;
     cell = r.cell * parcels.length(sizes.largest());
     steps = steps_within(
-        PowderCase::output_interval, parcels.time(contact_time) / steps_of_contact(),
+        PowderCase::output_interval, parcels.time(step_of_contact()),
         longest_gas_step(cell, 2.0 * fastest_fluidisation / r.void_fraction, r.gravity));
     velocity = 2.0 * fluidisation(find_by_name(drag::closures, "drag", r.drag));
   }
@@ -197,6 +196,7 @@ class Powder {
     contact::ContactParameters contact;
     contact::set_hertz(contact, r.elastic.young, r.elastic.poisson);
     contact.restitution = r.restitution;
+    contact.friction = r.friction;
     if (r.is_jkr()) contact::set_surface_energy(contact, r.surface_energy);
     const auto borne = [&](double diameter, double reduced_mass, const PairGeometry& geometry) {
       return ElasticBorne{diameter,
@@ -241,8 +241,22 @@ class Powder {
     return all;
   }
 
-  double steps_of_contact() const {
-    if (elastic) return advice::steps_per_integrated_contact;
+  /// The step that the contact of two of the smallest should have, [time].
+  double step_of_contact() const {
+    if (elastic) return elastic->used.advised_step(speed);
+    contact::ContactParameters contact;
+    contact.stiffness = springs.used.stiffness;
+    contact.restitution = request_.restitution;
+    contact.friction = request_.friction;
+    const double small = sizes.smallest();
+    contact::Adhesion in_run{};
+    in_run.force = springs.used.pull_off;
+    return std::min(
+        springs.used.contact_time / steps_of_spring(),
+        advice::planned_steady_step(
+            advice::contact_of_equals(contact, 0.5 * small, mass(small), in_run), speed));
+  }
+  double steps_of_spring() const {
     if (request_.is_packing()) return steps_per_contact_of_packing;
     return request_.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
   }

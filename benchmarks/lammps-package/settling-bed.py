@@ -3,7 +3,8 @@
 """2028 spheres with damping and friction that settle under gravity, adhesion 0, 1 and 20 weights.
 
   settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S] [--exact N ...]
-                  [--seed N] [--beds N] [--law linear|hertz|dmt|jkr]
+                  [--seed N] [--beds N] [--law linear|hertz|dmt|jkr] [--csv FILE]
+  settling-bed.py LIGGGHTS_COHESION [the same words without --law]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
 fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy
@@ -11,11 +12,14 @@ tally does not account for, over the largest kinetic energy, in all of the run a
 the bed rests; seconds of processor time. Of several beds (--beds), of seeds from --seed on: what they have in
 the last fifth, median, quartiles, least and most, since what is left differs from bed to bed by far more than
 from scheme to scheme. --law: contacts and adhesion of theory/hertzian_laws.py, scheme exact only; with
-adhesion a rolling friction of 0.01, since spheres that hang in one contact roll on without loss.
+adhesion a rolling friction of 0.01, since spheres that hang in one contact roll on without loss. In LIGGGHTS scheme
+exact only.
 """
+import sys
+
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import settling_spheres as settling
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory import hertzian_laws
@@ -36,8 +40,18 @@ def show_bed(run, words, ratio):
         liveliest = settling.liveliest_share(engine.dump(folder, "end.txt"))
     residual = table[:, 3] / table[:, 1].max()
     at_rest = residual[-1] - residual[len(residual) // 2]
+    if run[0] == "exact":
+        for quantity, value in (("settling, whole run", residual[-1]), ("settling, at rest", at_rest)):
+            csv_table.enter(words.csv, row(quantity, run[1], words, ratio), value=f"{value:.1e}")
     return ("".join(f"{k:10.1e}" for k in fifths(table)) + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
             + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "exact" else f"{'':22s}") + f"{seconds:9.1f}")
+
+
+def row(quantity, division, words, ratio):
+    """Of contact_energies.csv."""
+    return {"quantity": quantity, "engine": "LAMMPS" if words.plugin else "LIGGGHTS", "scheme": "exact", "law": words.law,
+            "adhesion over weight": f"{ratio:g}" if words.law == "linear" else "", "restitution": "0.9",
+            "friction": "0.3", "step": f"t_c/{division}"}
 
 
 def show_beds(run, words, ratio):
@@ -65,10 +79,13 @@ def main():
         ("--exact", {"type": int, "nargs": "+", "default": [5, 10], "metavar": "N",
                      "help": "steps per contact time of the exact scheme"}),
         ("--law", {"choices": hertzian_laws.LAWS, "default": "linear"}),
-        ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}))
+        ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}),
+        csv_table.OPTION, liggghts=True)
 
     linear = words.law == "linear"
-    runs = [("exact", n) for n in words.exact] + [("sampled", SAMPLED)] * linear
+    if not words.plugin and not linear:
+        sys.exit(f"--law {words.law}: of LAMMPS only")
+    runs = [("exact", n) for n in words.exact] + [("sampled", SAMPLED)] * bool(linear and words.plugin)
     weights = WEIGHTS if linear else (0,)
     # A step of the exact scheme costs about two and a half of the sampled one's.
     work = {run: run[1] * (2.5 if run[0] == "exact" else 1.0) for run in runs}

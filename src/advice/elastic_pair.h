@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
+#include "advice/advised_step.h"
 #include "advice/contact_advice.h"
 #include "advice/integrated_escape.h"
 #include "contact/adhesion.h"
@@ -63,6 +65,16 @@ class ElasticPair {
     return 2.9432750 * std::sqrt(1.875 * mass_ / stiffness);
   }
 
+  /// The time step that scheme exact should have in either engine: t_c/20 of an impact with
+  /// `speed`, or less where several contacts of a sphere would be unstable, [time].
+  double advised_step(double speed) const {
+    return std::min(contact_time(speed) / steps_per_integrated_contact, steady_step(speed));
+  }
+  /// The largest one without a warning, [time].
+  double largest_step(double speed) const {
+    return std::min(contact_time(speed) / exact_scheme.integrated_for_warning, steady_step(speed));
+  }
+
   /// The largest overlap [length] of an impact without dashpot that comes with `speed`.
   double largest_overlap(double speed) const {
     const double touch = touching_speed(speed);
@@ -97,6 +109,13 @@ class ElasticPair {
   }
   contact::JkrSpringDashpot jkr() const {
     return std::get<contact::JkrSpringDashpot>(contact::normal_law(contact_, radius_, mass_));
+  }
+  /// Of spheres of the same R* and mu.
+  double steady_step(double speed) const {
+    contact::Adhesion adhesion = adhesion_;
+    adhesion.force = pull_off_force();
+    return planned_steady_step(contact_of_equals(contact_, 2.0 * radius_, 2.0 * mass_, adhesion),
+                               speed);
   }
   double touching_speed(double speed) const {
     return std::sqrt(speed * speed + 2.0 * adhesion_.approach_energy() / mass_);

@@ -41,8 +41,10 @@ template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
                        ContactEnergies& energies) {
   StoredEnergies& stored = energies.stored;
+  // As resolve() does: what came into range within the last step has stored nothing yet.
   const bool found_in_range =
-      step.before.phase == ContactState::unknown && step.at.distance <= solver.entry_distance();
+      step.before.phase == ContactState::unknown &&
+      step.at.stands_within(solver.entry_distance(), step.first ? 0.0 : solver.step());
   if (step.before.in_range() || found_in_range) {
     stored.spring = solver.spring_energy(contact_distance - step.at.distance);
     stored.adhesion = solver.adhesion_energy(contact_distance - step.at.distance);

@@ -202,4 +202,24 @@ TEST(ContactEnergies, OfASphereThatALoadPressesToRestAreConstantToTheRounding) {
     }
 }
 
+TEST(ContactEnergies, OfAPairFirstSeenAfterItTouchedInTheLastStepAreThoseOfOneThatFlewThere) {
+  const ContactSolver solver(contact::normal_contact(thesis::contact(), thesis::reduced_mass),
+                             thesis::adhesion(7.49e-19), core, thesis::contact_time / 4.0);
+  const StaggeredMotion at{core - 1e-7, -0.1, 0.0};
+  const auto stored = [&](ContactState::Phase phase) {
+    const ContactState before{phase};
+    ContactState after = before;
+    const ContactStep step = solver.advance(at, 0.0, solver.step(), after);
+    EXPECT_GT(step.force, 0.0);
+    ContactEnergies energies;
+    set_normal_stored(solver, {at, 0.0, false, before, after, step.force, step.dissipated}, core,
+                      energies);
+    return energies.stored;
+  };
+  const StoredEnergies seen = stored(ContactState::outside), unseen = stored(ContactState::unknown);
+  EXPECT_EQ(unseen.spring, seen.spring);
+  EXPECT_EQ(unseen.adhesion, seen.adhesion);
+  EXPECT_EQ(unseen.load, seen.load);
+}
+
 }  // namespace cohesion::contact_solver

@@ -31,4 +31,5 @@ def loop_seconds(output, run=-1):
 
 def processor_seconds(output, run=-1):
     """That it took of a processor [s]."""
-    return loop_seconds(output, run) * float(re.findall(r"([\d.]+)% CPU", output)[run]) / 100
+    percent = re.findall(r"([\d.]+)% CPU", output)
+    return loop_seconds(output, run) * (float(percent[run]) / 100 if percent else 1.0)
