@@ -5,6 +5,7 @@
   struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme exact|sampled] [--finest N] [--law linear|hertz|dmt|jkr] [--rows]
                   [--csv FILE]
   struck-pairs.py LIGGGHTS_COHESION [--scheme exact|sampled] [--finest N] [--law linear|hertz|dmt|jkr] [--rows]
+                  [--csv FILE]
 
 Sampled, and in LIGGGHTS, as in in.head_on: without friction, of which the engines have different laws.
 
@@ -26,6 +27,7 @@ TRIPLES = {("hertz", 10): (0, 8.3e-4), ("hertz", 20): (0, 2.9e-4), ("dmt", 10): 
 ROWS = {("hertz", 10): (8.7e-3, 8.7e-3), ("hertz", 20): (2.3e-3, 2.3e-3), ("dmt", 10): (0.1, 2.5e-2),
         ("dmt", 20): (4.1e-2, 6.1e-3), ("jkr", 10): (2.2e-2, 2.2e-2), ("jkr", 20): (4.2e-3, 5.1e-3)}
 DIVISIONS = {"exact": (5, 10, 20, 40), "sampled": (4, 10, 20, 50, 200, 1000)}
+NAMES = {"hertz": "Hertz", "dmt": "DMT", "jkr": "JKR"}  # in contact_motion.csv
 
 
 def compare(found, reference, speeds=triples.SPEEDS):
@@ -36,12 +38,27 @@ def compare(found, reference, speeds=triples.SPEEDS):
 
 
 def enter(words, friction, division, number, mean):
-    """Into contact_motion.csv."""
+    """Into contact_motion.csv. `mean` is None where the run stops."""
+    step = f"t_c/{division}"
+    if words.law != "linear":
+        engines = f"LAMMPS, friction {friction:g}" if friction else "both engines"
+        quantity = f"{NAMES[words.law]}, {engines}, other outcomes; root mean square error of the velocities"
+        csv_table.enter(words.csv, {"measurement": "struck pairs of Hertz DMT and JKR", "quantity": quantity, "step": step},
+                        value="stops" if mean is None else f"{number}; {mean:.2g}")
+        return
     name = "sampled" if words.scheme == "sampled" else f"{'LAMMPS' if words.plugin else 'LIGGGHTS'}, exact"
     name += f", friction {friction:g}" if friction else ""
-    for what, value in (("other outcomes of 100", f"{number}"), ("error of velocities", f"{mean:#.2g}")):
-        csv_table.enter(words.csv, {"measurement": "struck pairs", "quantity": f"{name}: {what}",
-                                    "step": f"t_c/{division}"}, value=value)
+    values = ("stops", "stops") if mean is None else (f"{number}", f"{mean:#.2g}")
+    for what, value in zip(("other outcomes of 100", "error of velocities"), values):
+        csv_table.enter(words.csv, {"measurement": "struck pairs", "quantity": f"{name}: {what}", "step": step},
+                        value=value)
+
+
+def enter_row(words, restitution, speed, division, worst):
+    """The largest error of rows into contact_motion.csv, infinite where outcomes differ."""
+    quantity = f"{NAMES[words.law]}, both engines, restitution {restitution:g}, {speed:g} m/s, largest error of the velocities"
+    csv_table.enter(words.csv, {"measurement": "rows of three", "quantity": quantity, "step": f"t_c/{division}"},
+                    value=f"{worst:.1e}" if numpy.isfinite(worst) else "other outcomes")
 
 
 def measure_triples(folder, words):
@@ -55,6 +72,7 @@ def measure_triples(folder, words):
                 number, error = compare(run(division), reference)
             except RuntimeError as stopped:
                 print(f"  t_c/{division:<4d} stops: {str(stopped).split('ERROR')[-1][:150].splitlines()[0]}")
+                enter(words, friction, division, 0, None)
                 continue
             mean = numpy.sqrt((error**2).mean())
             most = TRIPLES.get((words.law, division), (100, numpy.inf))
@@ -75,6 +93,7 @@ def measure_rows(folder, words):
             for speed, most in zip(speeds, ROWS.get((words.law, division), (numpy.inf, numpy.inf))):
                 worst = error[triples.ROW_SPEEDS == speed].max() if number == 0 else numpy.inf
                 cells += f"{worst:9.1e}{'*' if worst > most else ' '}"
+                enter_row(words, restitution, speed, division, worst)
             print(f"  t_c/{division:<4d} {cells} other outcome {number:3d}", flush=True)
 
 
@@ -84,8 +103,10 @@ def main():
         ("--finest", {"type": int, "default": 1000}), ("--law", {"choices": hertzian_laws.LAWS, "default": "linear"}),
         ("--rows", {"action": "store_true", "help": "two that touch are struck head-on"}),
         csv_table.OPTION, liggghts=True)
-    if words.csv and (words.rows or words.law != "linear"):
-        raise SystemExit("--csv: of triples with linear springs")
+    if words.csv and words.law != "linear" and not words.plugin:
+        raise SystemExit("--csv: rows of Hertz, DMT and JKR are entered from LAMMPS")
+    if words.csv and words.rows and words.law == "linear":
+        raise SystemExit("--csv: of rows with --law hertz, dmt or jkr")
     with engine.temporary_folder() as folder:
         (measure_rows if words.rows else measure_triples)(folder, words)
 

@@ -104,8 +104,15 @@ class Programs(unittest.TestCase):
             impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100)
             for mu in (0.0, 0.3) for step in (5.0, 100)]))
         for scheme, friction in (("exact", 0.0), ("exact", 0.3), ("sampled", 0.0)):
-            words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": ""})
+            words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": "", "law": "linear"})
             self.expect("contact_motion", self.entered(pairs, lambda: pairs.enter(words, friction, 10, 1, 0.1)))
+        for law in pairs.NAMES:
+            words = type("Words", (), {"scheme": "exact", "plugin": "plugin", "csv": "", "law": law})
+            self.expect("contact_motion", self.entered(pairs, lambda: [
+                (pairs.enter(words, friction, division, 0, None if division == 5 else 0.1),
+                 pairs.enter_row(words, restitution, speed, division, float("inf")))
+                for friction in (0.0, 0.3) for restitution in (1.0, 0.9) for speed in (0.03, 0.1)
+                for division in pairs.DIVISIONS["exact"]]))
 
 
 if __name__ == "__main__":
