@@ -3,7 +3,7 @@
 """2028 spheres with damping and friction that settle under gravity, adhesion 0, 1 and 20 weights.
 
   settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S] [--exact N ...]
-                  [--seed N] [--beds N] [--law linear|hertz|dmt|jkr]
+                  [--seed N] [--beds N] [--law linear|hertz|dmt|jkr] [--csv FILE]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
 fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy
@@ -15,7 +15,7 @@ adhesion a rolling friction of 0.01, since spheres that hang in one contact roll
 """
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import settling_spheres as settling
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory import hertzian_laws
@@ -36,8 +36,20 @@ def show_bed(run, words, ratio):
         liveliest = settling.liveliest_share(engine.dump(folder, "end.txt"))
     residual = table[:, 3] / table[:, 1].max()
     at_rest = residual[-1] - residual[len(residual) // 2]
+    if run[0] == "exact":
+        enter(words, run[1], ratio, {"whole run": residual[-1], "at rest": at_rest,
+                                     "kinetic energy in the last fifth over that of the start": fifths(table)[-1]})
     return ("".join(f"{k:10.1e}" for k in fifths(table)) + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
             + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "exact" else f"{'':22s}") + f"{seconds:9.1f}")
+
+
+def enter(words, division, ratio, values):
+    """Into contact_energies.csv."""
+    linear = words.law == "linear"
+    row = {"engine": "LAMMPS", "scheme": "exact", "law": words.law, "adhesion over weight": f"{ratio}" * linear,
+           "restitution": "0.9", "friction": "0.3", "step": f"t_c/{division}"}
+    for name, value in values.items():
+        csv_table.enter(words.csv, {**row, "quantity": f"settling, {name}"}, value=f"{value:.1e}")
 
 
 def show_beds(run, words, ratio):
@@ -65,7 +77,7 @@ def main():
         ("--exact", {"type": int, "nargs": "+", "default": [5, 10], "metavar": "N",
                      "help": "steps per contact time of the exact scheme"}),
         ("--law", {"choices": hertzian_laws.LAWS, "default": "linear"}),
-        ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}))
+        ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}), csv_table.OPTION)
 
     linear = words.law == "linear"
     runs = [("exact", n) for n in words.exact] + [("sampled", SAMPLED)] * linear

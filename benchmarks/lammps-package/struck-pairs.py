@@ -4,7 +4,7 @@
 
   struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme exact|sampled] [--finest N] [--law linear|hertz|dmt|jkr] [--rows]
                   [--csv FILE]
-  struck-pairs.py LIGGGHTS_COHESION [--scheme exact|sampled] [--finest N] [--law linear|hertz|dmt|jkr] [--rows]
+  struck-pairs.py LIGGGHTS_COHESION [the same options]
 
 Sampled, and in LIGGGHTS, as in in.head_on: without friction, of which the engines have different laws.
 
@@ -25,6 +25,7 @@ TRIPLES = {("hertz", 10): (0, 8.3e-4), ("hertz", 20): (0, 2.9e-4), ("dmt", 10): 
            ("jkr", 10): (0, 0.018), ("jkr", 20): (0, 4.3e-3)}
 ROWS = {("hertz", 10): (8.7e-3, 8.7e-3), ("hertz", 20): (2.3e-3, 2.3e-3), ("dmt", 10): (0.1, 2.5e-2),
         ("dmt", 20): (4.1e-2, 6.1e-3), ("jkr", 10): (2.2e-2, 2.2e-2), ("jkr", 20): (4.2e-3, 5.1e-3)}
+NAMES = {"hertz": "Hertz", "dmt": "DMT", "jkr": "JKR"}  # of contact_motion.csv
 DIVISIONS = {"exact": (5, 10, 20, 40), "sampled": (4, 10, 20, 50, 200, 1000)}
 
 
@@ -36,7 +37,16 @@ def compare(found, reference, speeds=triples.SPEEDS):
 
 
 def enter(words, friction, division, number, mean):
-    """Into contact_motion.csv."""
+    """Into contact_motion.csv; `number`: None where the step stops. Without friction rows of Hertz, DMT and JKR are of
+    both engines."""
+    if words.law != "linear":
+        engines = f"LAMMPS, friction {friction:g}" if friction else "both engines"
+        row = {"measurement": "struck pairs of Hertz DMT and JKR", "step": f"t_c/{division}",
+               "quantity": f"{NAMES[words.law]}, {engines}, other outcomes; root mean square error of the velocities"}
+        csv_table.enter(words.csv, row, value="stops" if number is None else f"{number}; {mean:.2g}")
+        return
+    if number is None:
+        return
     name = "sampled" if words.scheme == "sampled" else f"{'LAMMPS' if words.plugin else 'LIGGGHTS'}, exact"
     name += f", friction {friction:g}" if friction else ""
     for what, value in (("other outcomes of 100", f"{number}"), ("error of velocities", f"{mean:#.2g}")):
@@ -55,6 +65,7 @@ def measure_triples(folder, words):
                 number, error = compare(run(division), reference)
             except RuntimeError as stopped:
                 print(f"  t_c/{division:<4d} stops: {str(stopped).split('ERROR')[-1][:150].splitlines()[0]}")
+                enter(words, friction, division, None, None)
                 continue
             mean = numpy.sqrt((error**2).mean())
             most = TRIPLES.get((words.law, division), (100, numpy.inf))
@@ -75,6 +86,10 @@ def measure_rows(folder, words):
             for speed, most in zip(speeds, ROWS.get((words.law, division), (numpy.inf, numpy.inf))):
                 worst = error[triples.ROW_SPEEDS == speed].max() if number == 0 else numpy.inf
                 cells += f"{worst:9.1e}{'*' if worst > most else ' '}"
+                what = f"restitution {restitution:g}, {speed:g} m/s, largest error of the velocities"
+                csv_table.enter(words.csv, {"measurement": "rows of three", "step": f"t_c/{division}",
+                                            "quantity": f"{NAMES[words.law]}, both engines, {what}"},
+                                value=f"{worst:.1e}" if number == 0 else "other outcomes")
             print(f"  t_c/{division:<4d} {cells} other outcome {number:3d}", flush=True)
 
 
@@ -84,8 +99,8 @@ def main():
         ("--finest", {"type": int, "default": 1000}), ("--law", {"choices": hertzian_laws.LAWS, "default": "linear"}),
         ("--rows", {"action": "store_true", "help": "two that touch are struck head-on"}),
         csv_table.OPTION, liggghts=True)
-    if words.csv and (words.rows or words.law != "linear"):
-        raise SystemExit("--csv: of triples with linear springs")
+    if words.csv and words.rows and words.law == "linear":
+        raise SystemExit("--csv: rows of hertz, dmt and jkr")
     with engine.temporary_folder() as folder:
         (measure_rows if words.rows else measure_triples)(folder, words)
 

@@ -60,6 +60,22 @@ class Entered(unittest.TestCase):
             csv_table.enter(self.file, {"a": "x"}, value="3")
         csv_table.enter(None, {"a": "x"}, value="3")
 
+    def test_columns_of_a_key_alone_name_a_row(self):
+        self.file.write_text("a,b,value\nx,1,2\n")
+        csv_table.enter(self.file, {"a": "x"}, key=("a",), value="3")
+        self.assertEqual(self.file.read_text(), "a,b,value\nx,1,3\n")
+
+    def test_quantities_of_a_case(self):
+        self.file.write_text("table,case,quantity,value\nt,c,q,1\n")
+        csv_table.enter_quantities(self.file, "t", "c", {"q": 2, "r": 3})
+        self.assertEqual(self.file.read_text(), "table,case,quantity,value\nt,c,q,2\nt,c,r,3\n")
+
+    def test_numbers(self):
+        self.assertEqual([csv_table.power(1.4e6), csv_table.power(3.19e-4, 2), csv_table.power(0)],
+                         ["1.4e6", "3.19e-4", "0.0e0"])
+        self.assertEqual([csv_table.figures(value) for value in (2812, 0.004, 2.24e6, 1)], ["2800", "0.0040", "2.2e6", "1.0"])
+        self.assertEqual([csv_table.grouped(6144), csv_table.grouped(49152)], ["6144", "49,152"])
+
 
 class Programs(unittest.TestCase):
     """The rows that they enter are rows of the tables."""
@@ -104,8 +120,26 @@ class Programs(unittest.TestCase):
             impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100)
             for mu in (0.0, 0.3) for step in (5.0, 100)]))
         for scheme, friction in (("exact", 0.0), ("exact", 0.3), ("sampled", 0.0)):
-            words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": ""})
+            words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": "", "law": "linear"})
             self.expect("contact_motion", self.entered(pairs, lambda: pairs.enter(words, friction, 10, 1, 0.1)))
+        for law in pairs.NAMES:
+            words = type("Words", (), {"law": law, "plugin": "plugin", "csv": ""})
+            self.expect("contact_motion", self.entered(pairs, lambda: [
+                pairs.enter(words, friction, 10, 1, 0.1) for friction in (0.0, 0.3)]))
+
+    def test_shear_noise_and_cohesion(self):
+        shear, noise, hover, cohesion = (program(name) for name in (
+            "lammps-package/shear-cost", "openfoam-coupling/kernel_noise", "openfoam-coupling/hovering_plates",
+            "liggghts-styles/cohesion-cost"))
+        self.expect("sheared_spheres", self.entered(shear, lambda: shear.enter("", 32000, 0.1, (100, 8), 0.58)))
+        self.expect("void_fraction", self.entered(noise, lambda: [
+            noise.enter("", 3, 0.15, kernel, width, (1, 1, 1)) for kernel in noise.KERNELS for width in (0, 2)]))
+        self.expect("void_fraction", self.entered(hover, lambda: [
+            hover.enter("", cell, *more, []) for cell, more in
+            ((3, (0, "cell", 1.2)), (3, (2, "cell", 1.4)), (3, (0, "interpolated", 1.2)), (1.5, (0, "cell", 1.4)))]))
+        self.expect("contact_costs", self.entered(cohesion, lambda: [
+            cohesion.enter("", scene, dict.fromkeys(cohesion.COHESION, 1.0))
+            for scene in ("pair in contact", "pair across a gap")]))
 
 
 if __name__ == "__main__":
