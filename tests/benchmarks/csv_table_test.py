@@ -119,6 +119,8 @@ class Programs(unittest.TestCase):
         self.expect("contacts", self.entered(impacts, lambda: [
             impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100)
             for mu in (0.0, 0.3) for step in (5.0, 100)]))
+        self.expect("contacts", self.entered(impacts, lambda: [
+            impacts.enter_escape("", step, 100, 45.0, 0.03, 1.0, 1.1) for step in (5.0, 100)]))
         for scheme, friction in (("exact", 0.0), ("exact", 0.3), ("sampled", 0.0)):
             words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": "", "law": "linear"})
             self.expect("contact_motion", self.entered(pairs, lambda: pairs.enter(words, friction, 10, 1, 0.1)))

@@ -44,6 +44,12 @@ def enter(file, row, key=None, **measured):
         csv.writer(lines, lineterminator="\n").writerows([names, *rows])
 
 
+def rows(file):
+    """Dictionaries of a CSV file."""
+    with open(file, newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
 def enter_quantities(file, table, case, values):
     """Into a file of the columns table, case, quantity, value: {quantity: value} of a case."""
     for quantity, value in values.items():
