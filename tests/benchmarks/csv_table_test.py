@@ -14,10 +14,11 @@ from cohesion_tests.theory import hertzian_laws
 
 SOURCE = Path(sys.argv[1])
 TABLES = SOURCE / "docs/verification"
+WITHOUT_PROGRAM = {"published_cases"}  # of literature, pages and tests
 
 
 def program(name):
-    file = SOURCE / "benchmarks" / f"{name}.py"
+    file = SOURCE / "benchmarks" / (name if name.startswith("..") else f"{name}.py")
     loader = importlib.machinery.SourceFileLoader(file.stem.replace("-", "_"), str(file))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(module)
@@ -142,6 +143,34 @@ class Programs(unittest.TestCase):
         self.expect("contact_costs", self.entered(cohesion, lambda: [
             cohesion.enter("", scene, dict.fromkeys(cohesion.COHESION, 1.0))
             for scene in ("pair in contact", "pair across a gap")]))
+
+
+class Sources(unittest.TestCase):
+    """benchmarks/tables.csv names the program of each row of each table; without a name no program measures the rows."""
+
+    def setUp(self):
+        self.sources = csv_table.rows(SOURCE / "benchmarks/tables.csv")
+
+    def test_each_table_has_a_program(self):
+        self.assertEqual({source["table"] for source in self.sources}, {file.stem for file in TABLES.glob("*.csv")})
+        self.assertEqual({source["table"] for source in self.sources} - WITHOUT_PROGRAM,
+                         {source["table"] for source in self.sources if source["program"]})
+
+    def test_each_row_is_of_an_entry(self):
+        base = program("../scripts/page-tables").database(sorted(TABLES.glob("*.csv")))
+        for table in {source["table"] for source in self.sources if source["rows"]}:
+            found = [{number for number, in base.execute(f"select rowid from {table} where {source['rows']}")}
+                     for source in self.sources if source["table"] == table]
+            self.assertTrue(all(found), table)
+            self.assertEqual(sum(map(len, found)), len(rows(table)), table)
+            self.assertEqual(len(set.union(*found)), len(rows(table)), table)
+
+    def test_programs_write_tables(self):
+        tables = (SOURCE / "benchmarks/benchmarks.py").read_text()
+        for name in {source["program"] for source in self.sources} - {""}:
+            text = (SOURCE / name).read_text()
+            if name.startswith("benchmarks"):
+                self.assertTrue("csv" in text or "--table" in text or f'"{Path(name).stem}"' in tables, name)
 
 
 if __name__ == "__main__":
