@@ -64,7 +64,7 @@ class Charts(unittest.TestCase):
             text = page.read_text()
             drawn = charts.charts(base, text)
             found += len(drawn)
-            self.assertEqual(len(drawn), text.count("<!-- chart"), page)
+            self.assertEqual(len(drawn), text.count("\n<!-- chart"), page)
             for match, _, series in drawn:
                 self.assertGreaterEqual(sum(map(len, series.values())), 4, (page, match["caption"]))
                 self.assertLessEqual(len(series), 8, (page, match["caption"]))
