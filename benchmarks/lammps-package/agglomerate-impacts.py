@@ -74,6 +74,20 @@ def enter(file, friction, division, cells, finest):
             csv_table.enter(file, {**row, "quantity": name}, value=f"{value:.3f}" if value else "0")
 
 
+def enter_one(file, measurement, case, division, quantity, value):
+    csv_table.enter(file, {"measurement": measurement, "case": case, "step": f"t_c/{division:g}", "quantity": quantity},
+                    value=value)
+
+
+def enter_escape(file, division, finest, angle, known, low, high):
+    """At the finest step the velocity, at others the range over it."""
+    values = {"escape velocity [m/s]": f"{known:.4f}"} if division == finest else {
+        f"smallest escape velocity over that at t_c/{finest:g}": f"{low:.3f}",
+        f"largest escape velocity over that at t_c/{finest:g}": f"{high:.3f}"}
+    for quantity, value in values.items():
+        enter_one(file, "sphere against two bound spheres", f"{angle:g} degrees", division, quantity, value)
+
+
 def ringing(folder, divisions, restitution):
     random = numpy.random.default_rng(2)
     clusters.write(folder, [clusters.ringing(RINGING, 1e-3, random)])
@@ -116,14 +130,19 @@ def main():
             print(f"oscillation, restitution {restitution:g}")
             for division, error in ringing(folder, divisions, restitution):
                 print(f"  t_c/{division:<18g}{error:12.2g}", flush=True)
+                if error:
+                    enter_one(words.csv, f"cluster of {RINGING} spheres", f"restitution {restitution:g}", division,
+                              "error of velocities after 20 t_c", f"{error:#.2g}")
         print("escape" + "".join(f"{f'{angle:g} degrees':>24s}" for angle in ANGLES))
         known = None
         for division in divisions:
             speeds = escape(folder, division)
             known = speeds.mean(axis=1) if known is None else known
             progress.add(division)
-            print(f"\r  t_c/{division:<8g}" + "".join(f"{low:16.3f}{high:8.3f}" for low, high in zip(
-                speeds.min(axis=1) / known, speeds.max(axis=1) / known)), flush=True)
+            ranges = list(zip(ANGLES, known, speeds.min(axis=1) / known, speeds.max(axis=1) / known))
+            print(f"\r  t_c/{division:<8g}" + "".join(f"{low:16.3f}{high:8.3f}" for *_, low, high in ranges), flush=True)
+            for escaped in ranges:
+                enter_escape(words.csv, division, words.finest, *escaped)
         print("  [m/s]" + "".join(f"{speed:24.5f}" for speed in known))
 
 

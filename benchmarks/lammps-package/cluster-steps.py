@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Kinetic energy [J] of a bound cluster in the closest packing, displaced by up to 1 nm, after 20 contact times.
 
-  cluster-steps.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N ...]
+  cluster-steps.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N ...] [--csv FILE]
 
 177 spheres of 1 mm bound by A = 1e-17 J; rows: restitution and friction; columns: steps in the contact time of the
 undamped spring. "stopped": beyond the stability limit (docs/theory/contact_steps.md), with the largest step that the
@@ -10,7 +10,7 @@ message names, in the same unit.
 """
 import re
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import cohesive_gas as gas, packed_cluster
 from cohesion_tests.progress import Progress
 
@@ -34,10 +34,18 @@ def cell(folder, restitution, friction, division):
     return f"{sum(float(value) for value in rows[-1]):.0e}"
 
 
+def enter(file, restitution, friction, division, words):
+    """Into contacts.csv."""
+    quantity = "required steps per contact" if words[0] == "stopped" else "kinetic energy after 20 t_c [J]"
+    csv_table.enter(file, {"measurement": "cluster of 177 spheres at rest",
+                           "case": f"restitution {restitution:g}, friction {friction:g}", "step": f"t_c/{division:g}",
+                           "quantity": quantity}, value=words[-1])
+
+
 def main():
     words = measuring_program.words(
         __doc__, ("--steps", {"type": float, "nargs": "+", "default": [3.3, 4, 5, 6, 8, 10, 12], "metavar": "N",
-                              "help": "steps in a contact time"}))
+                              "help": "steps in a contact time"}), csv_table.OPTION)
     progress = Progress(len(CONTACTS) * sum(words.steps))
     print("restitution  friction" + "".join(f"{f't_c/{n:g}':>14s}" for n in words.steps))
     with engine.temporary_folder() as folder:
@@ -45,6 +53,7 @@ def main():
             cells = []
             for division in words.steps:
                 cells.append(f"{cell(folder, restitution, friction, division):>14s}")
+                enter(words.csv, restitution, friction, division, cells[-1].split())
                 progress.add(division)
             print(f"\r{restitution:11g}{friction:10g}" + "".join(cells), flush=True)
 

@@ -4,7 +4,7 @@
 time step, the scheme and the run time.
 
   energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating | --seeds N]
-  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN --damped [--law linear|hertz|dmt|jkr] [--gases N]
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN --damped [--law linear|hertz|dmt|jkr] [--gases N] [--csv FILE]
 
 Scheme exact is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
 over it where there is adhesion, at the step that costs the same time as the exact scheme's. Drift is
@@ -23,7 +23,7 @@ With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its s
 """
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import cohesive_gas as gas
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory import hertzian_laws
@@ -74,7 +74,7 @@ def heating(gas, engine, seeds=16, divisions=(4, 5, 10, 20)):
                   flush=True)
 
 
-def damped(gas, engine, law, seeds):
+def damped(gas, engine, law, seeds, file):
     contacts, cases = (DAMPED, CASES[1::2]) if law == "linear" else (HERTZIAN, hertzian_laws.gases(law, 0.5))
     progress = Progress(len(cases) * seeds * sum(division + gas.FINEST for _, division in contacts))
     print(f"\rsolid fraction 0.5: energy that is left at t_c/{gas.FINEST}, and more at longer steps, over what is lost")
@@ -89,8 +89,14 @@ def damped(gas, engine, law, seeds):
                                   for n in (gas.FINEST, division)]
                 progress.add(division + gas.FINEST)
             more = (left[:, 1] - left[:, 0]) / (1 - left[:, 0].mean())
-            print(f"\r  A = {constant:g} J, e = {restitution:g}: {left[:, 0].mean():.3f}; t_c/{division:<5g}"
-                  f"{more.mean():9.1e} +- {more.std(ddof=1) / seeds**0.5:.0e}{'':20s}", flush=True)
+            result = f"{more.mean():.1e} +- {more.std(ddof=1) / seeds**0.5:.0e}"
+            print(f"\r  A = {constant:g} J, e = {restitution:g}: {left[:, 0].mean():.3f}; t_c/{division:<5g} {result}"
+                  f"{'':20s}", flush=True)
+            row = {"quantity": f"remaining energy against t_c/{gas.FINEST}", "engine": "LAMMPS", "scheme": "exact",
+                   "law": law, "solid fraction": f"{phi:g}", "A [J]": f"{constant:g}", "restitution": f"{restitution:g}",
+                   "step": f"t_c/{division:.2g}"}
+            more = {} if law == "linear" else {"speed [m/s]": f"{speed:g}", "friction": "0"}
+            csv_table.enter(file, {**row, **more}, value=result)
 
 
 def scatter(gas, engine, collisions, seeds):
@@ -116,12 +122,14 @@ def main():
         ("--damped", {"action": "store_true", "help": "what damped gases keep too much"}),
         ("--law", {"choices": hertzian_laws.LAWS, "default": "linear", "help": "of damped gases"}),
         ("--gases", {"type": int, "default": 16, "help": "of --damped"}),
-        ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}))
+        ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}), csv_table.OPTION)
+    if words.csv and not words.damped:
+        raise SystemExit("--csv: with --damped")
     if words.heating:
         heating(gas, engine)
         return
     if words.damped:
-        damped(gas, engine, words.law, words.gases)
+        damped(gas, engine, words.law, words.gases, words.csv)
         return
     if words.seeds:
         scatter(gas, engine, words.collisions, words.seeds)

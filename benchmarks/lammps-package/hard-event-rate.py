@@ -3,7 +3,7 @@
 """Speed of pair_style hard/squarewell on one core: events per second and seconds of a run against the
 size of the step, and what a step without events costs beside LAMMPS' own gran/hooke.
 
-  hard-event-rate.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--discs N] [--flights N] [--turns N]
+  hard-event-rate.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--discs N] [--flights N] [--turns N] [--csv FILE]
 
 Elastic discs at an area fraction of 0.5, wells of depth m v^2/10 (v: a component's standard deviation),
 r_out/r = 1.001 and 1.1 and none; the same stretch of time, in mean free times, for every step. The
@@ -13,7 +13,7 @@ are those of LAMMPS' own loop.
 import math
 import statistics
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import hard_spheres as hard
 from cohesion_tests.lammps_scenes.hard_gas import Gas
 from cohesion_tests.thermo import loop_seconds
@@ -54,7 +54,7 @@ def main():
     words = measuring_program.words(
         __doc__, ("--discs", {"type": int, "default": 2292}),
         ("--flights", {"type": float, "default": 30.0, "help": "length in mean free times"}),
-        ("--turns", {"type": int, "default": 5}))
+        ("--turns", {"type": int, "default": 5}), csv_table.OPTION)
 
     gas = Gas(words.discs, FRACTION, 2)
     free = free_time(gas)
@@ -66,6 +66,9 @@ def main():
         for step, events, seconds in rates(gas, free, ratio, words.flights):
             print(f"{step:14g} {events:10.0f} {seconds:6.2f} {events / seconds:9.3g} "
                   f"{words.flights / step / seconds:8.3g}", flush=True)
+            case = f"{name.split(',')[0]}, step {step:g} mean free times"
+            csv_table.enter_quantities(words.csv, f"{words.discs} discs", case, {
+                "seconds": f"{seconds:.2f}", "events/s": csv_table.power(events / seconds)})
 
     gas = Gas(words.discs, FRACTION, 2)
     gas.v[:] = 0.0

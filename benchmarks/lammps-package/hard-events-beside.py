@@ -20,7 +20,7 @@ import statistics
 import sys
 from collections import defaultdict, namedtuple
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import hard_spheres as hard
 from cohesion_tests.launcher import given_program
 from cohesion_tests.progress import Progress
@@ -30,6 +30,8 @@ from cohesion_tests.thermo import loop_seconds, processor_seconds, thermo_column
 Scene = namedtuple("Scene", "law rate")
 SCENES = {"wide": Scene("restitution 1 well 1 1.5", 0), "narrow": Scene("restitution 1 well 1 1.001", 0),
           "sheared": Scene("restitution 0.9", 1)}
+# Of hard_spheres.csv
+CASES = {"wide": "r_out/r = 1.5, D = 1", "narrow": "r_out/r = 1.001, D = 1", "sheared": "no well, e = 0.9, sheared at rate 1"}
 STEPS, SKINS = [0.01, 0.02, 0.03], [0.3, 0.4, 0.6]  # a mean free time is 0.13
 MAKING, STAGES = {"dt": 0.005, "skin": 0.6}, 10
 LONGEST = 3600  # s, of one run
@@ -107,7 +109,7 @@ def best(found, k):
 
 
 def show(found, names, words):
-    """Table of a scene, and the best of each side."""
+    """Table of a scene, and the best of each side; of two sides the events per second of their best and the ratio."""
     print(f"{'step':>8s}{'skin':>7s}" + "".join(f"{name + ', events/s':>20s}" for name in names)
           + (f"{'ratio':>8s}" if len(names) > 1 else ""))
     for (dt, skin), of_sides in found.items():
@@ -118,8 +120,11 @@ def show(found, names, words):
         show_side(found, k, name, words)
     settings = [best(found, k) for k in range(len(names))]
     if len(names) > 1 and None not in settings:
-        turns = zip(*(rates(found[setting][k]) for k, setting in enumerate(settings)))
-        print(f"ratio of the best: {spread([first / other for first, other in turns])}", flush=True)
+        of_sides = [rates(found[setting][k]) for k, setting in enumerate(settings)]
+        ratio = spread([first / other for first, other in zip(*of_sides)])
+        print(f"ratio of the best: {ratio}", flush=True)
+        return [statistics.median(turns) for turns in of_sides], ratio
+    return None
 
 
 def show_side(found, k, name, words):
@@ -146,7 +151,12 @@ def side_by_side(sides, words):
         print(f"\n{name}: {scene.law}" + (f", sheared at rate {scene.rate}" if scene.rate else ""), flush=True)
         with engine.temporary_folder() as folder:
             make(folder, sides[0], scene, words.spheres, words.before)
-            show(in_turns(folder, sides, scene, words, progress), names, words)
+            both = show(in_turns(folder, sides, scene, words, progress), names, words)
+        if both and [side.ranks for side in sides] == [2, 1] and not words.beside:
+            (two, one), ratio = both
+            csv_table.enter_quantities(words.csv, f"two processes, {words.spheres} spheres", CASES[name], {
+                "one process, events/s": csv_table.power(one, 2), "two processes, events/s": csv_table.power(two, 2),
+                "two over one": ratio})
 
 
 def growth(side, words):
@@ -157,7 +167,7 @@ def growth(side, words):
     least = 1.0
     for spheres in words.growth:
         line = f"{spheres:9d}"
-        for scene in scenes:
+        for name, scene in zip(words.scenes, scenes):
             with engine.temporary_folder() as folder:
                 make(folder, side, scene, spheres, words.before)
                 found = in_turns(folder, [side], scene, words, Part(progress, spheres))
@@ -167,6 +177,8 @@ def growth(side, words):
                 cost = 1e6 / statistics.median(rates(found[setting][0]))
                 cell = f"{cost:.3f} ({setting[0]:g}, {setting[1]:g})"
                 least = min(least, least_share(found[setting][0]))
+                csv_table.enter_quantities(words.csv, "number of particles", f"{spheres} spheres, {CASES[name]}",
+                                           {"microseconds per event": f"{cost:#.2g}"})
             line += f"{cell:>30s}"
         print(line, flush=True)
     print(f"of a processor these runs had {least:.2f} or more")
@@ -194,7 +206,7 @@ OPTIONS = (
     ("--ranks", {"type": int, "default": 1, "help": "of each run"}),
     ("--beside-ranks", {"type": int, "metavar": "N", "help": "of the other build, or of the same one beside itself"}),
     ("--mpiexec", {"default": "mpiexec --oversubscribe -np"}),
-    ("--growth", {"type": numbers(int), "metavar": "N,N,...", "help": "numbers of spheres"}))
+    ("--growth", {"type": numbers(int), "metavar": "N,N,...", "help": "numbers of spheres"}), csv_table.OPTION)
 
 
 def main():

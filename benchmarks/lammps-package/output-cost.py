@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the outputs of sheared runs cost: instructions per particle and step, with and without each.
 
-  output-cost.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N] [--scene soft|hard]
+  output-cost.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N] [--scene soft|hard] [--csv FILE]
 
 A dense sheared gas of 864 spheres of gran/hamaker, and one of 900 discs of hard/squarewell, each made once.
 From there every output runs for N and 2 N steps; the difference of both counts is free of the start.
@@ -15,7 +15,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.instruction_count import per_step
 from cohesion_tests.progress import Progress
 
@@ -37,6 +37,7 @@ OUTPUTS = {
              "hard/stress, every step": "compute out all hard/stress\n" + EVERY_STEP,
              "hard/events, every step": "compute out all hard/events\n" + VECTOR, **AGGLOMERATES},
 }
+CASES = {"soft": "864 spheres of gran/hamaker", "hard": "900 discs of hard/squarewell"}  # of sheared_spheres.csv
 PARTICLES = {"soft": 864, "hard": 900}
 MAKING = {"soft": 10000, "hard": 1000}  # steps: a strain of 2
 
@@ -44,7 +45,7 @@ MAKING = {"soft": 10000, "hard": 1000}  # steps: a strain of 2
 def main():
     words = measuring_program.words(
         __doc__, ("--steps", {"type": int, "default": 100, "help": "a multiple of 10"}),
-        ("--scene", {"choices": tuple(OUTPUTS), "action": "append"}))
+        ("--scene", {"choices": tuple(OUTPUTS), "action": "append"}), csv_table.OPTION)
     if words.steps < 10 or words.steps % 10:
         sys.exit(f"--steps {words.steps}: a multiple of 10, 10 or more")
 
@@ -69,6 +70,9 @@ def main():
         for name, found in zip(OUTPUTS[scene], counts):
             print(f"  {name:28s}{found:14.0f}{found - counts[0]:14.0f}"
                   f"{100 * (found / counts[0] - 1):8.1f} %", flush=True)
+            if name != "none":
+                csv_table.enter_quantities(words.csv, "cost of outputs in LAMMPS", f"{CASES[scene]}: {name}", {
+                    "additional instructions [%]": f"{100 * (found / counts[0] - 1):.1f}"})
 
 
 if __name__ == "__main__":

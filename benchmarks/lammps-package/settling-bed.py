@@ -41,8 +41,9 @@ def show_bed(run, words, ratio):
     residual = table[:, 3] / table[:, 1].max()
     at_rest = residual[-1] - residual[len(residual) // 2]
     if run[0] == "exact":
-        for quantity, value in (("settling, whole run", residual[-1]), ("settling, at rest", at_rest)):
-            csv_table.enter(words.csv, row(quantity, run[1], words, ratio), value=f"{value:.1e}")
+        last = {"kinetic energy in the last fifth over that of the start": fifths(table)[-1]} if words.law != "linear" else {}
+        for quantity, value in {"whole run": residual[-1], "at rest": at_rest, **last}.items():
+            csv_table.enter(words.csv, row(f"settling, {quantity}", run[1], words, ratio), value=f"{value:.1e}")
     return ("".join(f"{k:10.1e}" for k in fifths(table)) + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
             + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "exact" else f"{'':22s}") + f"{seconds:9.1f}")
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A sheared run with fix deform/shear against the same with the engine's own fix deform.
 
-  shear-cost.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--steps N] [--turns N] [--skin S]
+  shear-cost.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--steps N] [--turns N] [--skin S] [--csv FILE]
   shear-cost.py LIGGGHTS_COHESION [--side N] [--steps N] [--turns N] [--skin S]
 
 4 N^3 spheres (32,000) at solid fraction 0.55, in contact with friction. First both start from the
@@ -21,7 +21,7 @@ import statistics
 
 import numpy
 
-from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests import csv_table, lammps as engine, measuring_program
 
 ENGINE = "deform 1 xy erate 2.0 remap v"
 OURS = "deform/shear rate 2.0 profile no"
@@ -41,11 +41,21 @@ def write_lattice(engine, folder, side, height):
                          3 * [(0.0, height)], 1, tilt=(0.0, 0.0, 0.0))
 
 
+def enter(file, spheres, skin, lists, ratio):
+    """Into sheared_spheres.csv."""
+    case = f"{csv_table.grouped(spheres)} spheres, solid fraction 0.55, friction"
+    for name, count, time in (("LAMMPS' fix deform", lists[0], 1), ("fix deform/shear", lists[1], f"{ratio:.2f}")):
+        csv_table.enter_quantities(file, "LAMMPS", f"neighbour lists, {case}", {name: count})
+        csv_table.enter_quantities(file, "LAMMPS", f"time, skin {skin:g}", {name: time})
+
+
 def main():
     words = measuring_program.words(__doc__, ("--side", {"type": int, "default": 20}),
                                     ("--steps", {"type": int, "default": 600}),
                                     ("--turns", {"type": int, "default": 5}),
-                                    ("--skin", {"type": float, "default": 0.1}), liggghts=True)
+                                    ("--skin", {"type": float, "default": 0.1}), csv_table.OPTION, liggghts=True)
+    if words.csv and not words.plugin:
+        raise SystemExit("--csv: of LAMMPS")
 
     height = words.side * (4 / 1.0504226)**(1 / 3)
     with engine.temporary_folder() as folder:
@@ -83,6 +93,9 @@ def main():
             print(f"{name}: after 600 steps from the lattice positions differ from those of fix deform "
                   f"by {numpy.abs(away).max():.1e}, velocities by {numpy.abs(faster).max():.1e}",
                   flush=True)
+            if name == "deform/shear":
+                csv_table.enter_quantities(words.csv, "LAMMPS", "positions after 600 steps before the first flip",
+                                           {"fix deform/shear": f"within {numpy.abs(away).max():.0e} diameters"})
 
         run(OURS, "lattice", 5000, keep="developed")
         print(f"\n{4 * words.side**3} spheres, {words.steps} steps, skin {words.skin}; ns per particle "
@@ -95,8 +108,9 @@ def main():
             ratios.append(times[1][0] / times[0][0])
             print("".join(f"{times[k][0]:18.1f} ({times[k][1]:3d})" for k in range(len(RUNS))) +
                   f"   {ratios[-1]:.3f}", flush=True)
-        print(f"deform/shear over fix deform: median {statistics.median(ratios):.3f}, from "
-              f"{min(ratios):.3f} to {max(ratios):.3f}")
+        median = statistics.median(ratios)
+        print(f"deform/shear over fix deform: median {median:.3f}, from {min(ratios):.3f} to {max(ratios):.3f}")
+        enter(words.csv, 4 * words.side**3, words.skin, [times[k][1] for k in (0, 1)], median)
 
 
 if __name__ == "__main__":

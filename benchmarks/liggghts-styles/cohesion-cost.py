@@ -3,7 +3,8 @@
 """What a cohesion costs per contact and step, against the engine's own `cohesion sjkr`, in one run.
 
   cohesion-cost.py LAUNCHER [--turns N] [--cells N] [--steps N]
-  cohesion-cost.py LAUNCHER --count [--cells N] [--steps N]      instructions, with and without energy tally
+  cohesion-cost.py LAUNCHER --count [--cells N] [--steps N] [--csv FILE]
+                                                   instructions, with and without energy tally
 
 Spheres at rest on the sites of a periodic fcc lattice, each in contact with twelve others; and the same with
 the contacts opened to gaps within the range of the attraction. Runs take turns; times are those of the
@@ -17,7 +18,7 @@ import resource
 import statistics
 import tempfile
 
-from cohesion_tests import launcher
+from cohesion_tests import csv_table, launcher
 from cohesion_tests.instruction_count import per_step
 from cohesion_tests.liggghts_scenes.scene import contact, hamaker, liquid_bridge, square_well
 from cohesion_tests.spread import spread
@@ -77,12 +78,26 @@ def counted(program, cohesion, distance, cells, steps, tally):
 
 
 def count(program, contacts, distance, cells, steps):
+    """Prints, and gives {cohesion: instructions per pair and step}."""
     print(f"{'':24}instructions per pair and step")
+    found = {}
     for name in COHESION:
-        print(f"{name:24}{counted(program, name, distance, cells, steps, False) / contacts:10.1f}", flush=True)
+        found[name] = counted(program, name, distance, cells, steps, False) / contacts
+        print(f"{name:24}{found[name]:10.1f}", flush=True)
         if name in ("hamaker", "square_well"):
             print(f"{name + ', tally':24}{counted(program, name, distance, cells, steps, True) / contacts:10.1f}",
                   flush=True)
+    return found
+
+
+def enter(file, scene, found):
+    """Into contact_costs.csv; the reference is sjkr, which has no force across a gap."""
+    touching = scene == "pair in contact"
+    for name, instructions in found.items():
+        row = {"engine": "LIGGGHTS", "scene": scene, "style": f"cohesion {name}", "reference": "sjkr" * touching}
+        over = {"instructions of the reference": f"{found['sjkr']:.1f}", "ratio": f"{instructions / found['sjkr']:.2f}"}
+        csv_table.enter(file, row, **{name: value * touching for name, value in over.items()},
+                        instructions=f"{instructions:.1f}")
 
 
 def main():
@@ -93,12 +108,16 @@ def main():
     words.add_argument("--count", action="store_true", help="instructions in place of times; wants valgrind")
     words.add_argument("--cells", type=int, default=12)
     words.add_argument("--steps", type=int, default=200)
+    csv_table.add_to(words)
     words = words.parse_args()
+    if words.csv and not words.count:
+        raise SystemExit("--csv: with --count")
     contacts = 4 * words.cells**3 * 6
-    for place, distance in (("in contact", 0.9995e-3), ("at a gap of 0.005 d", 1.005e-3)):
+    places = (("in contact", "pair in contact", 0.9995e-3), ("at a gap of 0.005 d", "pair across a gap", 1.005e-3))
+    for place, scene, distance in places:
         print(f"{4 * words.cells**3} spheres, {contacts} pairs {place}, {words.steps} steps")
         if words.count:
-            count(words.launcher, contacts, distance, words.cells, words.steps)
+            enter(words.csv, scene, count(words.launcher, contacts, distance, words.cells, words.steps))
             continue
         times = {name: [] for name in COHESION}
         for turn in range(words.turns):

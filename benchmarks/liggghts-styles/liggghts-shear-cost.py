@@ -3,7 +3,7 @@
 """What a sheared gas and its agglomerates cost: instructions per particle and step, and how many lists of
 neighbours are made.
 
-  liggghts-shear-cost.py LAUNCHER [--steps N]
+  liggghts-shear-cost.py LAUNCHER [--steps N] [--csv FILE]
 
 240 spheres with friction and Hamaker attraction, solid fraction 0.19, rate 200/s. Each case runs for N and for
 5 N steps; the difference of both counts is free of the start. Valgrind counts (--tool=cachegrind), so the
@@ -14,7 +14,7 @@ import pathlib
 import re
 import tempfile
 
-from cohesion_tests import instruction_count, launcher
+from cohesion_tests import csv_table, instruction_count, launcher
 from cohesion_tests.liggghts_scenes.sheared_scene import LAWS, gas, sheared
 
 CASES = {"rebuild nonaffine": ("yes", ""), "rebuild engine": ("yes rebuild engine", ""),
@@ -38,11 +38,14 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("launcher", type=launcher.given_program, help="liggghts-cohesion")
     parser.add_argument("--steps", type=int, default=500)
+    csv_table.add_to(parser)
     words = parser.parse_args()
     for name, case in CASES.items():
         (short, _), (long, lists) = (counted(words.launcher, n * words.steps, *case) for n in (1, 5))
-        print(f"{name}: {(long - short) / (4 * words.steps * len(gas())):.0f} instructions, {lists} lists in "
-              f"{5 * words.steps} steps", flush=True)
+        count = f"{(long - short) / (4 * words.steps * len(gas())):.0f}"
+        print(f"{name}: {count} instructions, {lists} lists in {5 * words.steps} steps", flush=True)
+        csv_table.enter_quantities(words.csv, "cost in LIGGGHTS", name, {
+            "instructions": count, f"lists in {5 * words.steps} steps": lists})
 
 
 if __name__ == "__main__":

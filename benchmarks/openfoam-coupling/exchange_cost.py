@@ -3,7 +3,7 @@
 """Instructions per sphere and gas step of the exchange before the gas is solved: cells, shares, void fraction and
 drag, all that depositParticles() does, counted by callgrind. A count does not go with what else the machine does.
 
-    exchange_cost.py BUILD WORK [--steps N] [--kernel NAME ...] [--scene NAME ...]
+    exchange_cost.py BUILD WORK [--steps N] [--kernel NAME ...] [--scene NAME ...] [--csv FILE]
 
 Scenes: the suspension of kernel_noise.py, cells of three diameters, all faces periodic; the bed of
 examples/fluidised-bed a thousand particle steps after its start, with those of the 40 particle steps, too; and
@@ -16,7 +16,7 @@ import shutil
 import numpy as np
 
 from cohesion_studies.bed import bed_case
-from cohesion_tests import measuring_program
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, append, use_script
 from cohesion_tests.coupling.meshes import MESHES, SIZE, plain, tetrahedra
 from kernel_noise import KERNELS, make, places
@@ -62,6 +62,12 @@ def shaped(shape):
 SCENES = {"suspension": suspension, "plane bed": plane_bed, **{shape: shaped(shape) for shape in SHAPES}}
 
 
+# Of void_fraction.csv
+CASES = {"suspension": "suspension in cells of three diameters, periodic",
+         "cubes": "column in cubes of three diameters, walls",
+         "tetrahedra": "the same in tetrahedra of about that volume"}
+
+
 def inclusive(listing, name):
     """Instructions in all calls of a function of the coupling, of a listing by callgrind_annotate."""
     return float(re.search(rf"^ *([\d,]+)[^\n]*::gasParticleCoupling::{name}\(", listing, re.M)[1].replace(",", ""))
@@ -77,7 +83,7 @@ def count(case, spheres, steps):
 
 
 def main():
-    parser = measuring_program.coupling_parser(__doc__)
+    parser = measuring_program.coupling_parser(__doc__, table=True)
     parser.add_argument("--steps", type=int, default=10, help="gas steps (%(default)s)")
     parser.add_argument("--kernel", nargs="+", choices=KERNELS, default=KERNELS)
     parser.add_argument("--scene", nargs="+", choices=SCENES, default=list(SCENES))
@@ -89,6 +95,8 @@ def main():
             case, spheres = SCENES[scene](column, kernel, args.steps)
             before, particles = count(case, spheres, args.steps)
             print(f"| {scene} | `{kernel}` | {before:.0f} | {particles:.0f} |", flush=True)
+            csv_table.enter_quantities(args.csv, "instructions per sphere and gas step", CASES.get(scene, scene),
+                                       {kernel: csv_table.grouped(before)})
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the exchange of gas and particles costs a rank as the problem grows with the ranks (growing_swarm.py).
 
-    exchange_traffic.py BUILD WORK [--ranks N ...] [--steps N] [--kernel NAME]
+    exchange_traffic.py BUILD WORK [--ranks N ...] [--steps N] [--kernel NAME] [--csv FILE]
 
 Prints what each rank sent per gas step, counted by cohesiveBedFoam where it sends, mean and largest over the
 ranks; and of 1 and 2 ranks, which have a core each, the time. More ranks than cores share them: their
@@ -11,14 +11,24 @@ follows from its neighbours alone."""
 
 import sys
 
-from cohesion_tests import measuring_program
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.coupling.cases import Columns
 from cohesion_tests.coupling.growing_swarm import FORWARD, SPHERES, most_messages, most_ranks, run
 from cohesion_tests.progress import Progress
 
 
+def enter(file, ranks, counts):
+    """Into coupled_speed.csv: bytes in hundreds."""
+    names = {"messages": "messages of a rank", "bytes": "bytes", "to ranks": "to ranks"}
+    text = {name: f"{mean:.1f}, {largest:.0f}" for name, (mean, largest) in counts.items()}
+    text["bytes"] = ", ".join(csv_table.grouped(round(value, -2)) for value in counts["bytes"])
+    csv_table.enter_quantities(file, "messages per gas step",
+                               f"{ranks} ranks, {csv_table.grouped(SPHERES * ranks)} spheres",
+                               {f"{names[name]}, mean and largest": value for name, value in text.items()})
+
+
 def main():
-    parser = measuring_program.coupling_parser(__doc__)
+    parser = measuring_program.coupling_parser(__doc__, table=True)
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32, 64], metavar="N")
     parser.add_argument("--steps", type=int, default=3, metavar="N", help="gas steps (%(default)s)")
     parser.add_argument("--kernel", choices=FORWARD, default="sphereOverlap", help="of the void fraction (%(default)s)")
@@ -31,6 +41,7 @@ def main():
           "| exchange, all [ms] |\n|---|---|---|---|---|---|")
     for ranks, (counts, seconds, _) in rows.items():
         figures = [f"{mean:.1f}, {largest:.1f}" for mean, largest in counts.values()]
+        enter(args.csv, ranks, counts)
         times = f"{seconds[0]:.2f}, {seconds[1]:.1f}" if ranks <= 2 else ""
         print("| " + " | ".join([str(ranks), str(SPHERES * ranks), *figures, times]) + " |")
     # Figures of the log have six digits.

@@ -3,11 +3,13 @@
 """The five powders of docs/verification/powders.md: their cases, as the program writes them, run unedited to their end.
 
     five_powders.py BUILD WORK [--engines lammps liggghts] [--powders NAME ...] [--grains N]
+    five_powders.py BUILD WORK --plan [--csv FILE] [--powders NAME ...]
 
 Prints of each: engine, grains, processor seconds, simulated time, mean pressure drop over weight from the middle of the
-run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early."""
+run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early. --plan: what cohesion-powder plans for each, without a run."""
 
 import argparse
+import re
 import resource
 import subprocess
 from pathlib import Path
@@ -16,7 +18,8 @@ import numpy as np
 
 from cohesion_studies.foam_case import environment
 from cohesion_studies.foam_results import function_table
-from cohesion_studies.powder_program import PowderProgram
+from cohesion_studies.powder_program import PowderProgram, words
+from cohesion_tests import csv_table
 
 BED = {"--width": 0.05, "--depth": 0.05, "--height": 0.1}
 ROUGH = {"--asperity": 1e-7, "--keep": "force"}
@@ -31,6 +34,14 @@ POWDERS = {
                 "--void-fraction": 0.55, **BED, "--cell": 2, "--grains": 2070},
     "thesis": {"--diameter": 1e-3, "--density": 2650, "--stiffness": 800, "--restitution": 0.9487, "--hamaker": 7.49e-19,
                "--void-fraction": 0.43, "--width": 0.08, "--depth": 0.08, "--height": 0.05}}
+# Of powders.csv: the names of powders, and of numbers of cohesion-powder
+NAMES = {"glass": "glass 500 um", "fcc": "FCC catalyst 75 um", "alumina": "alumina 80 um",
+         "lactose": "lactose 15, 30, 55 um", "thesis": "spheres 1 mm"}
+QUANTITIES = {"u_mf, Wen and Yu [m/s]": "u_mf_wen_yu", "terminal speed [m/s]": "terminal_speed",
+              "Bond number, smallest grains": "bond", "stiffness of the material [N/m]": "material_stiffness",
+              "stiffness of the springs [N/m]": "stiffness", "escape velocity over the material's": "escape_over_material",
+              "pull-off force over the material's": "pull_off_over_material", "particle step [s]": "particle_step",
+              "gas velocity of the case [m/s]": "gas_velocity", "grains of the bed": "grains"}
 END = 0.1  # s, of a written case
 
 
@@ -55,6 +66,17 @@ def run(powder, env, folder, options):
             "surface [mm]": f"{1e3 * surface[0, 2]:.2f}, {1e3 * surface[-1, 2]:.2f}"}
 
 
+def plan(powder, options):
+    """{quantity: text} of powders.csv, of the whole bed."""
+    options = {name: value for name, value in options.items() if name not in ("--grains", "--cell")}
+    found = powder.values(options)
+    closures = [value for name, value in found.items() if name.startswith("u_mf_") and name != "u_mf_wen_yu"]
+    group = re.search(r"Geldart's group .*(\w)$", powder.call(*words(options)), re.M)[1]
+    return {"Geldart's group": group, "u_mf, lowest to highest closure [m/s]":
+            " to ".join(csv_table.figures(value) for value in (min(closures), max(closures))),
+            **{quantity: csv_table.figures(found[name]) for quantity, name in QUANTITIES.items()}}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("build")
@@ -62,7 +84,15 @@ def main():
     parser.add_argument("--engines", choices=("lammps", "liggghts"), nargs="+", default=["lammps", "liggghts"])
     parser.add_argument("--powders", choices=POWDERS, nargs="+", default=list(POWDERS))
     parser.add_argument("--grains", type=float, default=2000, help="at most, but of lactose (%(default)s)")
+    parser.add_argument("--plan", action="store_true", help="no runs")
+    csv_table.add_to(parser)
     args = parser.parse_args()
+    if args.plan:
+        for name in args.powders:
+            row = plan(PowderProgram(args.build), POWDERS[name])
+            print(f"{name}: " + "; ".join(f"{what} {value}" for what, value in row.items()))
+            csv_table.enter_quantities(args.csv, "five powders", NAMES[name], row)
+        return
     env, powder = environment(args.build, args.engines), PowderProgram(args.build)
     args.work.mkdir(parents=True, exist_ok=True)
     for name in args.powders:

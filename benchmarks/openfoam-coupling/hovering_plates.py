@@ -5,7 +5,7 @@ plate, has the void fraction of its mean, hence next to no drag, and weighs on t
 weight lifts.
 
     hovering_plates.py BUILD WORK [--cell N ...] [--smoothing N ...] [--slip NAME ...] [--ratio N ...]
-                       [--spheres N] [--rows]
+                       [--spheres N] [--rows] [--csv FILE]
 
 A pile of 310 spheres, 7.5 diameters high, or of so many, begins in the air, its lower end at a face between cells six
 diameters above the inlet, in a box six diameters wide that is periodic across. The gas blows at `ratio` times the
@@ -23,7 +23,7 @@ import re
 import numpy as np
 from scipy.optimize import brentq
 
-from cohesion_tests import measuring_program
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, append, use_script
 from cohesion_tests.coupling.fields import cells, numbers
 from cohesion_tests.coupling.free_spheres import BLOCK
@@ -117,8 +117,16 @@ def largest_ratio(n):
     return brentq(surplus, 1, 10)
 
 
+def enter(file, cell, smoothing, slip, ratio, found):
+    """Into void_fraction.csv."""
+    case = f"cells of {cell:g} d" + (f", smoothing {smoothing:g} d" if smoothing else "")
+    case += f", slip {slip}" if slip != "cell" else ""
+    csv_table.enter_quantities(file, "beds that lock, mean speeds after 0.6 and 0.8 s", case, {
+        f"{ratio:g} of minimum fluidisation [m/s]": ", ".join(f"{rows.speed.mean():.3f}" for rows in found)})
+
+
 def main():
-    parser = measuring_program.coupling_parser(__doc__)
+    parser = measuring_program.coupling_parser(__doc__, table=True)
     parser.add_argument("--cell", type=float, nargs="+", default=[3, 2, 1.5])
     parser.add_argument("--smoothing", type=float, nargs="+", default=[0])
     parser.add_argument("--slip", nargs="+", default=["cell"])
@@ -136,6 +144,7 @@ def main():
         print("cells of {:g} d, smoothing {:g} d, slip {}, {:g} of minimum fluidisation: ".format(*setting)
               + "; ".join(f"{rows.hovering():.3f} hover, {rows.speed.mean():.4f} m/s" for rows in found)
               + (f"\n{found[-1]}" if args.rows else ""), flush=True)
+        enter(args.csv, *setting, found)
         progress.add(1)
     for n in (1, 2, 3, 5, 10):
         print(f"on paper {n} full rows hover up to {largest_ratio(n):.3f}")

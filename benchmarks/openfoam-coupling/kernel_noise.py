@@ -4,7 +4,7 @@
 velocity. Seen from there nothing happens; so the gas's velocity should stay, and the pressure be the same
 everywhere: what they do instead is made by spheres that cross faces of cells.
 
-    kernel_noise.py BUILD WORK [--cell N ...] [--courant C ...] [--steps N]
+    kernel_noise.py BUILD WORK [--cell N ...] [--courant C ...] [--steps N] [--csv FILE]
 
 For each kernel, without and with smoothing over one and two diameters, root mean square over cells and steps of:
 the change of the void fraction over h/v, the time in which a sphere crosses a cell; the pressure over the weight
@@ -17,7 +17,7 @@ import re
 import numpy as np
 from scipy.spatial import cKDTree
 
-from cohesion_tests import measuring_program
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.coupling.cases import COUPLING, Columns, use_script
 from cohesion_tests.coupling.fields import field
 from cohesion_tests.coupling.free_spheres import periodic
@@ -93,8 +93,16 @@ def microseconds(case, spheres, steps):
     return 1e6 * processor * float(re.search(r"^    exchange +\S+ s, (\S+) %", log, re.M)[1]) / 100 / (steps * spheres)
 
 
+def enter(file, cell, courant, kernel, width, found):
+    """Into void_fraction.csv, whose cells have three diameters and steps 0.15 h/v where a case does not name others."""
+    case = kernel + (f", smoothing [diameters] {width}" if width else "") + (f", cells of {cell:g} d" if cell != 3 else "")
+    case += f", step {courant:g} h/v" if courant != 0.15 else ""
+    names = ("change of void fraction", "pressure", "velocity")
+    csv_table.enter_quantities(file, "noise", case, {name: f"{value:.2g}" for name, value in zip(names, found)})
+
+
 def main():
-    parser = measuring_program.coupling_parser(__doc__)
+    parser = measuring_program.coupling_parser(__doc__, table=True)
     parser.add_argument("--cell", type=float, nargs="+", default=[3], help="size of the cells [diameters]")
     parser.add_argument("--courant", type=float, nargs="+", default=[0.15, 0.0375], metavar="C",
                         help="steps of the gas in units of h/v; that of the bed is 0.15")
@@ -116,6 +124,7 @@ def main():
     for (cell, courant, kernel, width), found in zip(cases, rows):
         print(f"| {cell:g} | {courant:g} | `{kernel}` | {width or ''} | "
               + " | ".join(f"{value:.2g}" for value in found) + " |")
+        enter(args.csv, cell, courant, kernel, width, found)
 
 
 if __name__ == "__main__":

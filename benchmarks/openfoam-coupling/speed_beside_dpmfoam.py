@@ -5,7 +5,7 @@ closure, contacts with friction in both, about as many particle steps (DPMFoam c
 one core, alternately; processor time, as the clock of a busy machine says little. And the memory of each per
 sphere: what the largest resident size grows by with ten times as many layers.
 
-    speed_beside_dpmfoam.py BUILD WORK [REPEATS]
+    speed_beside_dpmfoam.py BUILD WORK [REPEATS] [--csv FILE]
 
 A program and no test: a time has no right value."""
 
@@ -13,9 +13,9 @@ import os
 import re
 import statistics
 import subprocess
-import sys
 
 from cohesion_studies.foam_case import CaseError
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.coupling.cases import Columns
 
 STEPS, DT = 50, 1e-4
@@ -171,10 +171,19 @@ def theirs(column, layers=LAYERS, steps=STEPS):
     return time, memory, None, sum(map(int, cycles))
 
 
-def main(build, work, repeats="3"):
-    column = Columns(build, work)
+# Of coupled_speed.csv: of speed and of memory
+CASES = {"cohesiveBedFoam": ("{} falling spheres of 2 mm, cells of 5 mm: cohesiveBedFoam, {} particle steps",
+                             "cohesiveBedFoam with LAMMPS, states written"),
+         "DPMFoam": ("the same case, gas step and closure in OpenFOAM's DPMFoam, {1} particle steps", "DPMFoam")}
+
+
+def main():
+    parser = measuring_program.coupling_parser(__doc__, table=True)
+    parser.add_argument("repeats", type=int, nargs="?", default=3, help="(%(default)s)")
+    args = parser.parse_args()
+    column = Columns(args.build, args.work)
     results = {"cohesiveBedFoam": [], "DPMFoam": []}
-    for _ in range(int(repeats)):
+    for _ in range(args.repeats):
         results["cohesiveBedFoam"].append(ours(column))
         results["DPMFoam"].append(theirs(column))
     n = len(positions())
@@ -182,6 +191,7 @@ def main(build, work, repeats="3"):
     for name, runs in results.items():
         time, steps = statistics.median(r[0] for r in runs), runs[0][3]
         medians[name] = time
+        csv_table.enter_quantities(args.csv, "speed", CASES[name][0].format(n, steps), {"seconds": f"{time:.1f}"})
         print(f"{name}: {n} spheres, {STEPS} gas steps, {steps} particle steps: {time:.2f} s "
               f"({', '.join(f'{r[0]:.2f}' for r in runs)}), {time / (STEPS * DT):.0f} s per simulated "
               f"second, {1e6 * time / (n * steps):.2f} us per sphere and particle step")
@@ -191,10 +201,12 @@ def main(build, work, repeats="3"):
     for name, program in (("cohesiveBedFoam", ours), ("DPMFoam", theirs)):
         few, many = program(column, steps=FEW), program(column, layers=MANY, steps=FEW)
         extra = len(positions(MANY)) - n
+        csv_table.enter_quantities(args.csv, "memory", CASES[name][1], {
+            "bytes per additional sphere": f"{(many[1] - few[1]) / extra:.0f}"})
         print(f"{name}: {few[1] / 2**20:.0f} MB with {n} spheres, {many[1] / 2**20:.0f} MB with {n + extra}: "
               f"{(many[1] - few[1]) / extra:.0f} bytes per sphere"
               + (f"; share of the exchange {many[2]:.0f} %" if many[2] is not None else ""))
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

@@ -4,7 +4,7 @@
 7.49e-19 J), on one core: scheme exact at a sixth of the contact time, as the example's run.py has it, and at an
 eighth, and forces sampled once a step.
 
-    speed_of_thesis_bed.py BUILD WORK [--rest S] [--blow S]
+    speed_of_thesis_bed.py BUILD WORK [--rest S] [--blow S] [--csv FILE]
 
 Processor time, of the bed at rest, where contacts are most, and blown through at 1.2 m/s, where the thesis's
 schedule begins; settling before that is not counted."""
@@ -15,7 +15,7 @@ import time
 
 from cohesion_studies.bed import bed_case
 from cohesion_studies.foam_case import environment
-from cohesion_tests import measuring_program
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.progress import Progress
 
 SCHEMES = {f"{scheme}, t_c/{part}": {"scheme": scheme, "dt": dt}
@@ -55,7 +55,7 @@ def run(env, folder, parameters, rest, blow):
 
 
 def main():
-    parser = measuring_program.coupling_parser(__doc__)
+    parser = measuring_program.coupling_parser(__doc__, table=True)
     parser.add_argument("--rest", type=float, default=0.045, help="seconds at rest (%(default)s)")
     parser.add_argument("--blow", type=float, default=0.3, help="seconds blown through (%(default)s)")
     args = parser.parse_args()
@@ -69,6 +69,9 @@ def main():
     for name, seconds, shares in rows:
         print(f"| {name} | " + " | ".join(f"{value:.0f}" for value in seconds)
               + f" | {shares[0]:.0f} %, {shares[1]:.1f} % |")
+        csv_table.enter_quantities(args.csv, "speed", f"cohesive bed of the example, {name}", {
+            "seconds per simulated second at rest": f"{seconds[0]:.0f}", "seconds per simulated second in flow":
+            f"{seconds[1]:.0f}", "particles [%]": f"{shares[0]:.0f}", "exchange [%]": f"{shares[1]:.1f}"})
 
 
 if __name__ == "__main__":

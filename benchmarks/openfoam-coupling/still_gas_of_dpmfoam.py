@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Speed of gas at rest in OpenFOAM's own DPMFoam on the meshes of tests/openfoam-coupling/still_gas_on_meshes.py.
 
-    still_gas_of_dpmfoam.py BUILD WORK [--mesh NAME ...]
+    still_gas_of_dpmfoam.py BUILD WORK [--mesh NAME ...] [--csv FILE]
 
 Prints the greatest speed after the steps of that test, in the column alone and around 2940 heavy spheres."""
 
@@ -10,11 +10,11 @@ import shutil
 
 import numpy as np
 
-from cohesion_tests import measuring_program
+from cohesion_tests import csv_table, measuring_program
 from cohesion_tests.coupling.cases import Columns, append
 from cohesion_tests.coupling.dictionaries import FILE
 from cohesion_tests.coupling.fields import field
-from cohesion_tests.coupling.meshes import CONE, FIXED, MESHES
+from cohesion_tests.coupling.meshes import CONE, FIXED, MESHES, NAMES
 
 ALL = {**MESHES, **FIXED}
 END = 0.002
@@ -85,7 +85,7 @@ def set_up(case, mesh, spheres):
 
 
 def main():
-    parser = measuring_program.coupling_parser(__doc__)
+    parser = measuring_program.coupling_parser(__doc__, table=True)
     parser.add_argument("--mesh", nargs="+", choices=ALL, default=list(ALL))
     args = parser.parse_args()
     columns = Columns(args.build, args.work)
@@ -98,6 +98,8 @@ def main():
             case.run("DPMFoam")
             speeds.append(np.linalg.norm(field(case, f"{END:g}", "U.air").reshape(-1, 3), axis=1).max())
         print(f"| {mesh} | " + " | ".join(f"{speed:.1e}" for speed in speeds) + " |", flush=True)
+        csv_table.enter(args.csv, {"mesh": NAMES[mesh]}, key=("mesh",), **{
+            f"DPMFoam, {name}": csv_table.power(speed) for name, speed in zip(("empty", "fixed spheres"), speeds)})
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pages.py SOURCE_DIR FOLDER: puts the Markdown pages of the repository into FOLDER as Sphinx takes them, with a gallery
-of the examples and indexes of styles, entries and warnings that are made from the pages themselves.
+of the examples and indexes of styles, entries and warnings that are made from the pages themselves, and with the charts
+of charts.py.
 
 A link to a folder becomes one to its README, a link to a table (.csv) of docs/ a download, a link to another file its
 name: the site has no copy of the sources. Links to pages stay, and Sphinx fails where one is dead."""
@@ -11,6 +12,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import charts
 import message_index
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
@@ -87,8 +89,10 @@ class Site:
                        for number, part in enumerate(parts))
 
     def copy_pages(self):
+        base = charts.database(self.source)
         for page in self.pages:
-            text = self.text_of(page, joined((self.source / page).read_text()))
+            text = charts.drawn(base, page, (self.source / page).read_text(), self.folder / page.parent)
+            text = self.text_of(page, joined(text))
             self.write(place(page), text + (self.contents() if place(page) == Path("index.md") else ""))
         for file in (*self.source.glob("docs/**/*.png"), *self.source.glob("docs/**/*.csv")):
             target = self.folder / file.relative_to(self.source)

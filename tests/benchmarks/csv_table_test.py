@@ -14,10 +14,12 @@ from cohesion_tests.theory import hertzian_laws
 
 SOURCE = Path(sys.argv[1])
 TABLES = SOURCE / "docs/verification"
+WITHOUT_PROGRAM = {"published_cases"}  # of literature, pages and tests
 
 
 def program(name):
-    file = SOURCE / "benchmarks" / f"{name}.py"
+    file = SOURCE / "benchmarks" / (name if name.startswith("..") else f"{name}.py")
+    sys.path.insert(0, str(file.parent))  # as if it were started
     loader = importlib.machinery.SourceFileLoader(file.stem.replace("-", "_"), str(file))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(module)
@@ -59,6 +61,22 @@ class Entered(unittest.TestCase):
         with self.assertRaises(ValueError):
             csv_table.enter(self.file, {"a": "x"}, value="3")
         csv_table.enter(None, {"a": "x"}, value="3")
+
+    def test_columns_of_a_key_alone_name_a_row(self):
+        self.file.write_text("a,b,value\nx,1,2\n")
+        csv_table.enter(self.file, {"a": "x"}, key=("a",), value="3")
+        self.assertEqual(self.file.read_text(), "a,b,value\nx,1,3\n")
+
+    def test_quantities_of_a_case(self):
+        self.file.write_text("table,case,quantity,value\nt,c,q,1\n")
+        csv_table.enter_quantities(self.file, "t", "c", {"q": 2, "r": 3})
+        self.assertEqual(self.file.read_text(), "table,case,quantity,value\nt,c,q,2\nt,c,r,3\n")
+
+    def test_numbers(self):
+        self.assertEqual([csv_table.power(1.4e6), csv_table.power(3.19e-4, 2), csv_table.power(0)],
+                         ["1.4e6", "3.19e-4", "0.0e0"])
+        self.assertEqual([csv_table.figures(value) for value in (2812, 0.004, 2.24e6, 1)], ["2800", "0.0040", "2.2e6", "1.0"])
+        self.assertEqual([csv_table.grouped(6144), csv_table.grouped(49152)], ["6144", "49,152"])
 
 
 class Programs(unittest.TestCase):
@@ -103,6 +121,8 @@ class Programs(unittest.TestCase):
         self.expect("contacts", self.entered(impacts, lambda: [
             impacts.enter("", mu, step, [(0.0, 0.0, 0.5)] * 3, step == 100)
             for mu in (0.0, 0.3) for step in (5.0, 100)]))
+        self.expect("contacts", self.entered(impacts, lambda: [
+            impacts.enter_escape("", step, 100, 45.0, 0.03, 1.0, 1.1) for step in (5.0, 100)]))
         for scheme, friction in (("exact", 0.0), ("exact", 0.3), ("sampled", 0.0)):
             words = type("Words", (), {"scheme": scheme, "plugin": "plugin", "csv": "", "law": "linear"})
             self.expect("contact_motion", self.entered(pairs, lambda: pairs.enter(words, friction, 10, 1, 0.1)))
@@ -113,6 +133,48 @@ class Programs(unittest.TestCase):
                  pairs.enter_row(words, restitution, speed, division, float("inf")))
                 for friction in (0.0, 0.3) for restitution in (1.0, 0.9) for speed in (0.03, 0.1)
                 for division in pairs.DIVISIONS["exact"]]))
+
+    def test_shear_noise_and_cohesion(self):
+        shear, noise, hover, cohesion = (program(name) for name in (
+            "lammps-package/shear-cost", "openfoam-coupling/kernel_noise", "openfoam-coupling/hovering_plates",
+            "liggghts-styles/cohesion-cost"))
+        self.expect("sheared_spheres", self.entered(shear, lambda: shear.enter("", 32000, 0.1, (100, 8), 0.58)))
+        self.expect("void_fraction", self.entered(noise, lambda: [
+            noise.enter("", 3, 0.15, kernel, width, (1, 1, 1)) for kernel in noise.KERNELS for width in (0, 2)]))
+        self.expect("void_fraction", self.entered(hover, lambda: [
+            hover.enter("", cell, *more, []) for cell, more in
+            ((3, (0, "cell", 1.2)), (3, (2, "cell", 1.4)), (3, (0, "interpolated", 1.2)), (1.5, (0, "cell", 1.4)))]))
+        self.expect("contact_costs", self.entered(cohesion, lambda: [
+            cohesion.enter("", scene, dict.fromkeys(cohesion.COHESION, 1.0))
+            for scene in ("pair in contact", "pair across a gap")]))
+
+
+class Sources(unittest.TestCase):
+    """benchmarks/tables.csv names the program of each row of each table; without a name no program measures the rows."""
+
+    def setUp(self):
+        self.sources = csv_table.rows(SOURCE / "benchmarks/tables.csv")
+
+    def test_each_table_has_a_program(self):
+        self.assertEqual({source["table"] for source in self.sources}, {file.stem for file in TABLES.glob("*.csv")})
+        self.assertEqual({source["table"] for source in self.sources} - WITHOUT_PROGRAM,
+                         {source["table"] for source in self.sources if source["program"]})
+
+    def test_each_row_is_of_an_entry(self):
+        base = program("../scripts/page-tables").database(sorted(TABLES.glob("*.csv")))
+        for table in {source["table"] for source in self.sources if source["rows"]}:
+            found = [{number for number, in base.execute(f"select rowid from {table} where {source['rows']}")}
+                     for source in self.sources if source["table"] == table]
+            self.assertTrue(all(found), table)
+            self.assertEqual(sum(map(len, found)), len(rows(table)), table)
+            self.assertEqual(len(set.union(*found)), len(rows(table)), table)
+
+    def test_programs_write_tables(self):
+        tables = (SOURCE / "benchmarks/benchmarks.py").read_text()
+        for name in {source["program"] for source in self.sources} - {""}:
+            text = (SOURCE / name).read_text()
+            if name.startswith("benchmarks"):
+                self.assertTrue("csv" in text or "--table" in text or f'"{Path(name).stem}"' in tables, name)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The site's index of warnings (docs/site/message_index.py) has the rows of all tables of messages, and no others."""
+"""The site's index of warnings (docs/site/message_index.py) has the rows of all tables of messages, and no others; each
+chart of a page (docs/site/charts.py) has points."""
+import sqlite3
+import tempfile
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
 
+import charts
 import message_index
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -51,6 +55,43 @@ class MessageIndex(unittest.TestCase):
         self.assertEqual(len(lines), len(set(lines)))
         self.assertEqual([row for row in found if f"| {row[0]} | " not in text], [])
         self.assertNotIn("](#", text)
+
+
+class Charts(unittest.TestCase):
+    def test_each_chart_of_a_page_is_drawn(self):
+        base, found = charts.database(SOURCE), 0
+        for page in sorted((SOURCE / "docs").rglob("*.md")):
+            text = page.read_text()
+            drawn = charts.charts(base, text)
+            found += len(drawn)
+            self.assertEqual(len(drawn), text.count("\n<!-- chart"), page)
+            for match, _, series in drawn:
+                self.assertGreaterEqual(sum(map(len, series.values())), 4, (page, match["caption"]))
+                self.assertLessEqual(len(series), 8, (page, match["caption"]))
+        self.assertGreater(found, 15)
+
+    def test_numbers_with_errors(self):
+        self.assertEqual(charts.number("1.5 +- 0.5"), (1.0, 1.5, 2.0))
+        self.assertEqual(charts.number("2 (1 to 4)"), (1.0, 2.0, 4.0))
+        self.assertEqual(charts.number("-1e-3"), (-1e-3,) * 3)
+        self.assertIsNone(charts.number("stops"))
+
+    def test_lines_bars_and_points(self):
+        line = charts.draw(["step", "scheme", "error"], {"a": [("10", (1.0,) * 3), ("20", (1e-3,) * 3)]}).axes[0]
+        self.assertEqual((line.get_xscale(), line.get_yscale(), line.get_ylabel()), ("linear", "log", "error"))
+        bars = charts.draw(["law", "cost"], {"": [("hertz", (1.0,) * 3), ("jkr", (2.0,) * 3)]}).axes[0]
+        self.assertEqual([bar.get_width() for bar in bars.patches], [1.0, 2.0])
+        points = charts.draw(["law", "cost"], {"": [("hertz", (1.0, 1.5, 2.0)), ("jkr", (2.0,) * 3)]}).axes[0]
+        self.assertEqual((len(points.patches), len(points.containers)), (0, 1))
+        charts.pyplot.close("all")
+
+    def test_comment_becomes_a_picture(self):
+        base = sqlite3.connect(":memory:")
+        text = "a\n\n<!-- chart Of two\nselect 1 as x, 2 as y union select 2, 3\n-->\n\nb\n"
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(charts.drawn(base, Path("docs/page.md"), text, folder),
+                             "a\n\n![Of two](charts/page-1.png)\n\nb\n")
+            self.assertTrue((Path(folder) / "charts/page-1.png").exists())
 
 
 if __name__ == "__main__":

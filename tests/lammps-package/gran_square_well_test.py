@@ -6,6 +6,7 @@ import unittest
 
 import numpy
 
+from cohesion_tests import csv_table
 from cohesion_tests.lammps_scenes import cohesive_gas as gas, couples
 from cohesion_tests.lammps_scenes.square_well_scene import (RESTITUTION, T_C, Scene, escape_velocity, gaps, relative,
                                                             report, well_speed, words)
@@ -61,6 +62,10 @@ class HeadOn(unittest.TestCase):
             for depth, (low, high) in zip(DEPTHS, limits):
                 report(f"sampled, t_c/{division}, D {depth:g} J: slowest parted {low:.3f}, fastest "
                        f"captured {high:.3f}")
+                for name, factor in (("slowest escape", low), ("fastest capture", high)):
+                    csv_table.enter(csv_table.of_test("contacts"), {
+                        "measurement": "square well", "case": f"sampled, D {depth:g} J", "step": f"t_c/{division}",
+                        "quantity": f"{name} over the escape velocity"}, value=f"{factor:.3f}")
             errors.append(numpy.abs(numpy.array(limits) - 1).max())
         # First order, and the grading.
         self.assertLess(errors[3], errors[1] / 18.5 * 2 + 0.005)

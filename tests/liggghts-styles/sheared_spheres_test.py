@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 from scipy.optimize import brentq
 
+from cohesion_tests import csv_table
 from cohesion_tests.liggghts_scenes import steady_spheres as spheres
 from cohesion_tests.liggghts_scenes.steady_spheres import theory
 
@@ -94,6 +95,8 @@ class Spheres(unittest.TestCase):
         self.assertLess(abs(power.taken), hottest * (pairs + 5 * (2 * pairs)**0.5))
 
     # (fraction, overlap, strain): blocks of two memories of T and more.
+    SCALED = {"viscosity": "viscosity / T^0.5", "contact stress": "contact stress / T",
+              "dissipation": "dissipation / T^1.5"}
     CASES = [(0.1, 0.03, 90), (0.2, 0.015, 70), (0.3, 0.015, 60)]
 
     def test_kinetic_theory(self):
@@ -109,6 +112,8 @@ class Spheres(unittest.TestCase):
             for case, done in [(case, pool.submit(against_theory, *case)) for case in self.CASES]:
                 for name, ratio, room, error in done.result():
                     print(f"{case[0]}: {name} over theory {ratio:.4f} +- {error:.4f}, room {room:.4f}", file=sys.stderr)
+                    csv_table.enter_quantities(csv_table.of_test("sheared_spheres"), "smooth spheres over kinetic theory",
+                                               f"{case[0]}", {self.SCALED.get(name, name): f"{ratio:.3f} +- {error:.3f}"})
                     rooms.setdefault(name, []).append(room)
                     with self.subTest(case=case, of=name):
                         self.assertLess(abs(ratio - 1), room)

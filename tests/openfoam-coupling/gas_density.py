@@ -18,6 +18,7 @@ import unittest
 import numpy as np
 from scipy.optimize import brentq
 
+from cohesion_tests import csv_table
 from cohesion_tests.coupling.cases import COUPLING, append, disturb, exchange_lines, use_script
 from cohesion_tests.coupling.dictionaries import FILE, LAMINAR
 from cohesion_tests.coupling.fields import field
@@ -189,6 +190,12 @@ def drag(log):
     return np.array([x["drag"] for x in exchange_lines(log)])
 
 
+def enter(quantity, case, computed, closed="0"):
+    """Into coupled_flow.csv."""
+    csv_table.enter(csv_table.of_test("coupled_flow"), {"quantity": quantity, "case": case, "closed form": closed},
+                    computed=computed)
+
+
 class GasDensity(CoupledTestCase):
     def at_rest(self, form):
         g, cells, h, dt = 4e5, 10, 0.02, 1e-3
@@ -211,8 +218,10 @@ class GasDensity(CoupledTestCase):
         # ln((1 + a/2)/(1 - a/2)) = a + a^3/12, ln(1 + a/2) = a/2 - a^2/8, each to the next order
         height = (np.arange(cells) + 0.5) * h
         exact = np.exp(PSI * g * (cells * h - height))
-        self.expect_below(f"form {form}: density, largest difference from the barometric formula",
-                          np.abs(found / exact - 1).max(), a**2 / 8 + cells * a**3 / 12)
+        largest = np.abs(found / exact - 1).max()
+        self.expect_below(f"form {form}: density, largest difference from the barometric formula", largest,
+                          a**2 / 8 + cells * a**3 / 12)
+        enter("error of the density of an ideal gas at rest, barometric formula", f"{cells} cells", csv_table.power(largest))
 
     def test_flow_through_a_bed(self):
         corrected = []
@@ -223,6 +232,8 @@ class GasDensity(CoupledTestCase):
             self.expect_below(f"{cells} cells: flux of mass, largest difference between faces", uneven, 1e-10)
             self.expect_below(f"{cells} cells: largest error of the absolute pressure", np.abs(error).max(), limit)
             corrected.append(np.sqrt(np.mean((error + outlet) ** 2)))
+            enter("error of the pressure of expanding gas in a packed bed, Ergun's equation", f"{cells} cells",
+                  csv_table.power(np.abs(error).max()))
         # Without the outlet's, which is of first order, errors are of second order, with a remainder of third: h P''/P'
         # = 0.02 to 0.1 of it.
         for order in np.log2(np.array(corrected[:-1]) / corrected[1:]):
@@ -266,6 +277,8 @@ class GasDensity(CoupledTestCase):
         # The faces' differences lose (k h)^2/24 of k, the smearing (k h/2)^2 of the inertia.
         self.expect_near(f"form {form}: speed of sound [m/s]", np.tan(turn) / dt / k, c,
                          c * (k * h) ** 2 * (1 / 24 + 1 / 4))
+        enter(f"speed of sound between spheres [m/s], void fraction {eps:.2f}", f"form {form}",
+              f"{np.tan(turn) / dt / k:.1f}", f"{c:.1f}")
 
     def balanced(self, name, case, log):
         errors = [float(x) for x in re.findall(r"Continuity error, mean of the sizes: (\S+)", log)]

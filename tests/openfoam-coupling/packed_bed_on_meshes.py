@@ -18,6 +18,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 from scipy.spatial import cKDTree
 
+from cohesion_tests import csv_table
 from cohesion_tests.coupling.cases import COUPLING, append
 from cohesion_tests.coupling.fields import field
 from cohesion_tests.coupling.free_spheres import periodic
@@ -28,6 +29,7 @@ D, EDGE, SEED = 1e-3, 24, 1  # EDGE of the box [diameters]
 RHO, MU, SPEED = 1.205, 1.75e-5, 0.5  # superficial, at which Ergun's drop is the drive; a Reynolds number of 34
 DT, STEPS = 5e-4, 30
 SIZES = (3, 6, 12)
+TABLE = "pressure drop over Ergun's equation (deviation of the void fraction)"  # of void_fraction.csv
 # Kernels and smoothing [diameters]
 KERNELS = (("particleCentre", 0), ("particleCentre", 1), ("particleCentre", 2), ("dividedVolume", 0),
            ("sphereOverlap", 0), ("sphereOverlap", 1), ("sphereOverlap", 2))
@@ -207,6 +209,9 @@ class PackedBedOnMeshes(CoupledTestCase):
             row = [self.check(what, places, size, kernel, width) for size in (SIZES[:1] if width else SIZES)]
             print(f"| {what} | `{kernel}` | {width or ''} | "
                   + " | ".join([f"{over:.3f} ({scatter:.3f})" for over, scatter in row] + [""] * (3 - len(row))) + " |")
+            case = f"{what}, kernel {kernel}" + (f", smoothing [diameters] {width}" if width else "")
+            csv_table.enter_quantities(csv_table.of_test("void_fraction"), TABLE, case, {
+                name: f"{over:.3f} ({scatter:.3f})" for name, (over, scatter) in zip(("cells of 3 d", "6 d", "12 d"), row)})
             # Cells of three diameters see what is uneven in the random packing, and make the lattice uneven with
             # particleCentre. Elsewhere 1 % is asked for.
             for size, (over, _) in zip(SIZES, row):

@@ -8,15 +8,17 @@ import unittest
 
 import numpy as np
 
+from cohesion_tests import csv_table
 from cohesion_tests.coupling.cases import COUPLING, append, edit, make_periodic, use_script
 from cohesion_tests.coupling.fields import field
-from cohesion_tests.coupling.meshes import CONE, FIXED, MESHES, perturbed
+from cohesion_tests.coupling.meshes import CONE, FIXED, MESHES, NAMES, perturbed
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.theory.closure_formulas import DOUBLE, ergun_pressure_gradient
 
 STEPS, DT = 20, 1e-4
 ALL = {**MESHES, **FIXED}
 RESTING = "resting"
+COLUMNS = {"empty": "empty", "held": "fixed spheres", RESTING: "resting spheres"}  # of still_gas.csv
 # Round-off of the weight over the steps
 STILL = 1e-10  # [m/s]
 
@@ -125,6 +127,9 @@ class StillGas(CoupledTestCase):
         speed = self.greatest_speed(mesh, spheres, **options)
         what = ", ".join([mesh, spheres, *(str(getattr(x, "__name__", x)) for x in options.values())])
         print(f"{what}: {speed:.2e} m/s", flush=True)
+        if not options:
+            csv_table.enter(csv_table.of_test("still_gas"), {"mesh": NAMES[mesh]}, key=("mesh",),
+                            **{COLUMNS[spheres]: csv_table.power(speed)})
         self.expect_below(f"{what}: greatest speed of the gas [m/s]", speed, limit)
 
     def test_gas_alone(self):

@@ -1,13 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Enters what a benchmark measures into a CSV file of docs/verification (option --csv)."""
+"""Enters what a benchmark measures into a CSV file of docs/verification (option --csv), and what a test measures into
+the file of that name in the folder COHESION_CSV."""
 import csv
+import math
+import os
+import re
+from pathlib import Path
+
+from cohesion_tests.theory.slow_ramp import DIVISIONS
 
 OPTION = ("--csv", {"metavar": "FILE", "help": "enter the results into this table"})
 
 
-def enter(file, row, **measured):
-    """Sets the columns `measured` of the row whose other columns are those of `row`, or empty; adds it at the end if the
-    file has none. Without a file, nothing."""
+def add_to(parser):
+    """OPTION, to a parser of argparse."""
+    parser.add_argument(OPTION[0], **OPTION[1])
+
+
+def of_test(table):
+    """File of a table in the folder of the variable COHESION_CSV; none without."""
+    folder = os.environ.get("COHESION_CSV")
+    return Path(folder) / f"{table}.csv" if folder else None
+
+
+def enter(file, row, key=None, **measured):
+    """Sets the columns `measured` of the row whose other columns, or those of `key`, are those of `row`, or empty; adds it
+    at the end if the file has none. Without a file, nothing."""
     if not file:
         return
     with open(file, newline="") as lines:
@@ -16,7 +34,7 @@ def enter(file, row, **measured):
     if unknown:
         raise ValueError(f"{file} has no column {sorted(unknown)}")
     wanted = [row.get(name, "") for name in names]
-    kept = [n for n, name in enumerate(names) if name not in measured]
+    kept = [n for n, name in enumerate(names) if (name in key if key else name not in measured)]
     found = next((one for one in rows if all(one[n] == wanted[n] for n in kept)), None)
     if found is None:
         rows.append(found := wanted)
@@ -24,6 +42,44 @@ def enter(file, row, **measured):
         found[names.index(name)] = value
     with open(file, "w", newline="") as lines:
         csv.writer(lines, lineterminator="\n").writerows([names, *rows])
+
+
+def rows(file):
+    """Dictionaries of a CSV file."""
+    with open(file, newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
+def enter_quantities(file, table, case, values):
+    """Into a file of the columns table, case, quantity, value: {quantity: value} of a case."""
+    for quantity, value in values.items():
+        enter(file, {"table": table, "case": case, "quantity": quantity}, value=str(value))
+
+
+def enter_pull_off(file, engine, restitution, loads):
+    """Into contacts.csv: the range of the loads at separation over F_ad, if there are any."""
+    if loads:
+        enter(file, {"measurement": "pull-off", "case": f"{engine}, restitution {restitution:g}",
+                     "step": f"t_c/{DIVISIONS[0]} to t_c/{DIVISIONS[-1]}", "quantity": "load at separation over F_ad"},
+              value=f"{min(loads):.3f} to {max(loads):.3f}")
+
+
+def power(value, digits=1):
+    """With digits behind the point, and the exponent without zeros: 1.4e6."""
+    return re.sub(r"e\+?(-?)0*(?=\d)", r"e\1", f"{value:.{digits}e}")
+
+
+def figures(value, digits=2):
+    """With so many significant digits: 2800, 0.0040, 2.2e6."""
+    rounded = float(f"{value:.{digits}g}")
+    if not 1e-4 <= abs(rounded) < 1e4:
+        return power(value, digits - 1)
+    return f"{rounded:.{max(0, digits - 1 - math.floor(math.log10(abs(rounded))))}f}"
+
+
+def grouped(number):
+    """Thousands apart, from 10,000 on."""
+    return f"{number:,.0f}" if number >= 9999.5 else f"{number:.0f}"
 
 
 def energy(engine, law, gas, contact, division, collisions):

@@ -4,6 +4,7 @@ those that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`; of those that run c
 import argparse
 import os
 
+from cohesion_tests import csv_table
 from cohesion_tests.launcher import given_program
 from cohesion_tests.liggghts import SCENES as LIGGGHTS_SCENES
 
@@ -28,10 +29,12 @@ def words(description, *options, liggghts=False):
     return given
 
 
-def coupling_parser(description):
-    """A parser for the programs that run coupled cases: `BUILD WORK [options]`."""
+def coupling_parser(description, table=False):
+    """A parser for the programs that run coupled cases: `BUILD WORK [options]`. `table`: with the option --csv."""
     parser = argparse.ArgumentParser(description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", help="build folder of the package")
     parser.add_argument("work", help="folder for the cases")
+    if table:
+        csv_table.add_to(parser)
     return parser

@@ -203,3 +203,6 @@ mergeTolerance 1e-6;
 
 
 FIXED = {"perturbed": perturbed, "cone": cone}
+# Of docs/verification/still_gas.csv
+NAMES = {"skewed": "hexahedra that lean", "perturbed": "hexahedra with corners moved at random", "tetrahedra": "tetrahedra",
+         "polyhedra": "polyhedra", "refined": "cubes with hanging corners", "cone": "snapped to a cone"}
