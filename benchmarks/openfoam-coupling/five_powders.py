@@ -6,7 +6,8 @@
     five_powders.py BUILD WORK --plan [--csv FILE] [--powders NAME ...]
 
 Prints of each: engine, grains, processor seconds, simulated time, mean pressure drop over weight from the middle of the
-run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early. --plan: what cohesion-powder plans for each, without a run."""
+run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early. --plan:
+what cohesion-powder plans for each, without a run."""
 
 import argparse
 import re
