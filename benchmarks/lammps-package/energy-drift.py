@@ -93,8 +93,8 @@ def damped(gas, engine, law, seeds, file):
             print(f"\r  A = {constant:g} J, e = {restitution:g}: {left[:, 0].mean():.3f}; t_c/{division:<5g} {result}"
                   f"{'':20s}", flush=True)
             row = {"quantity": f"remaining energy against t_c/{gas.FINEST}", "engine": "LAMMPS", "scheme": "exact",
-                   "law": law, "solid fraction": f"{phi:g}", "A [J]": f"{constant:g}", "restitution": f"{restitution:g}",
-                   "step": f"t_c/{division:.2g}"}
+                   "law": law, "solid fraction": f"{phi:g}", "A [J]": f"{constant:g}",
+                   "restitution": f"{restitution:g}", "step": f"t_c/{division:.2g}"}
             more = {} if law == "linear" else {"speed [m/s]": f"{speed:g}", "friction": "0"}
             csv_table.enter(file, {**row, **more}, value=result)
 

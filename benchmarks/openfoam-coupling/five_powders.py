@@ -6,7 +6,8 @@
     five_powders.py BUILD WORK --plan [--csv FILE] [--powders NAME ...]
 
 Prints of each: engine, grains, processor seconds, simulated time, mean pressure drop over weight from the middle of the
-run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early. --plan: what cohesion-powder plans for each, without a run."""
+run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early. --plan:
+what cohesion-powder plans for each, without a run."""
 
 import argparse
 import re
@@ -42,6 +43,10 @@ QUANTITIES = {"u_mf, Wen and Yu [m/s]": "u_mf_wen_yu", "terminal speed [m/s]": "
               "stiffness of the springs [N/m]": "stiffness", "escape velocity over the material's": "escape_over_material",
               "pull-off force over the material's": "pull_off_over_material", "particle step [s]": "particle_step",
               "gas velocity of the case [m/s]": "gas_velocity", "grains of the bed": "grains"}
+WELLS = {"glass": "glass", "fcc": "FCC catalyst", "lactose": "lactose"}
+OF_WELLS = {"escape velocity of the material [m/s]": "material_escape", "depth, two of the smallest grains [J]": "well_depth",
+            "depth, smallest grain at a wall [J]": "well_depth_wall",
+            "depth over width and weight, ratio 1.01": "well_bond"}
 END = 0.1  # s, of a written case
 
 
@@ -77,6 +82,13 @@ def plan(powder, options):
             **{quantity: csv_table.figures(found[name]) for quantity, name in QUANTITIES.items()}}
 
 
+def wells(powder, options):
+    """The same of square wells that keep the escape velocity."""
+    options = {name: value for name, value in options.items() if name not in ("--grains", "--cell", "--keep")}
+    found = powder.values({**options, "--law": "square_well"})
+    return {quantity: csv_table.figures(found[name]) for quantity, name in OF_WELLS.items()}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("build")
@@ -92,6 +104,9 @@ def main():
             row = plan(PowderProgram(args.build), POWDERS[name])
             print(f"{name}: " + "; ".join(f"{what} {value}" for what, value in row.items()))
             csv_table.enter_quantities(args.csv, "five powders", NAMES[name], row)
+            if name in WELLS:
+                csv_table.enter_quantities(args.csv, "square well", WELLS[name],
+                                           wells(PowderProgram(args.build), POWDERS[name]))
         return
     env, powder = environment(args.build, args.engines), PowderProgram(args.build)
     args.work.mkdir(parents=True, exist_ok=True)

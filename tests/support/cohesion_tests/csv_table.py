@@ -72,7 +72,7 @@ def power(value, digits=1):
 def figures(value, digits=2):
     """With so many significant digits: 2800, 0.0040, 2.2e6."""
     rounded = float(f"{value:.{digits}g}")
-    if not 1e-4 <= abs(rounded) < 1e4:
+    if not 1e-3 <= abs(rounded) < 1e4:
         return power(value, digits - 1)
     return f"{rounded:.{max(0, digits - 1 - math.floor(math.log10(abs(rounded))))}f}"
 
