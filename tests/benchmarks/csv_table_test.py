@@ -19,7 +19,6 @@ WITHOUT_PROGRAM = {"published_cases"}  # of literature, pages and tests
 
 def program(name):
     file = SOURCE / "benchmarks" / (name if name.startswith("..") else f"{name}.py")
-    sys.path.insert(0, str(file.parent))  # as if it were started
     loader = importlib.machinery.SourceFileLoader(file.stem.replace("-", "_"), str(file))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(module)
