@@ -9,8 +9,8 @@
 # high COST begin first, so that no long one is left over when the others have ended; by itself ctest knows what they
 # took the last time in this build folder. COHESION_TEST_COSTS has the longest. Python finds the packages of
 # tests/support and examples/common, and what lies in the folders of MODULES. MPI looks for no network. Ranks that wait
-# keep their cores unless there are more ranks than cores (Open MPI's default): a rank that yields waits for a time slice
-# of each other test at every message.
+# keep their cores unless there are more ranks than cores (Open MPI's default): a rank that yields waits at every
+# message for a time slice of each other test.
 
 # Names, lammps.*.NAME without the engine, and seconds of a core, of tests that need ten or more
 set(COHESION_TEST_COSTS
