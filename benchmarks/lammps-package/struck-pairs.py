@@ -43,8 +43,8 @@ def enter(words, friction, division, number, mean):
     if words.law != "linear":
         engines = f"LAMMPS, friction {friction:g}" if friction else "both engines"
         quantity = f"{NAMES[words.law]}, {engines}, other outcomes; root mean square error of the velocities"
-        csv_table.enter(words.csv, {"measurement": "struck pairs of Hertz DMT and JKR", "quantity": quantity, "step": step},
-                        value="stops" if mean is None else f"{number}; {mean:.2g}")
+        row = {"measurement": "struck pairs of Hertz DMT and JKR", "quantity": quantity, "step": step}
+        csv_table.enter(words.csv, row, value="stops" if mean is None else f"{number}; {mean:.2g}")
         return
     name = "sampled" if words.scheme == "sampled" else f"{'LAMMPS' if words.plugin else 'LIGGGHTS'}, exact"
     name += f", friction {friction:g}" if friction else ""
@@ -56,7 +56,8 @@ def enter(words, friction, division, number, mean):
 
 def enter_row(words, restitution, speed, division, worst):
     """The largest error of rows into contact_motion.csv, infinite where outcomes differ."""
-    quantity = f"{NAMES[words.law]}, both engines, restitution {restitution:g}, {speed:g} m/s, largest error of the velocities"
+    quantity = (f"{NAMES[words.law]}, both engines, restitution {restitution:g}, {speed:g} m/s, "
+                "largest error of the velocities")
     csv_table.enter(words.csv, {"measurement": "rows of three", "quantity": quantity, "step": f"t_c/{division}"},
                     value=f"{worst:.1e}" if numpy.isfinite(worst) else "other outcomes")
 
