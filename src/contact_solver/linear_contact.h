@@ -22,7 +22,10 @@ namespace cohesion::contact_solver {
 ///   f = K' x - eta' u - (K'/K) F_ad      K' = mu (1 + d - 2 c)/dt^2    eta' = mu (1 - d)/dt
 ///
 /// with the overlap x and the mean rate u of the last step, of the distance. A load L changes the
-/// overlap at rest by L/K' in the place of L/K.
+/// overlap at rest by L/K' in the place of L/K. The extra force -(1 - K'/K) mu b, with the other
+/// acceleration b of the same step, would correct this. It needs another loop over the contacts and
+/// another exchange between ranks, and b would lack the extra forces of other contacts. With those
+/// of the previous step elastic clusters gain energy.
 ///
 /// This force ends at (K'/K) F_ad where the overlap is zero, and a contact bears F_ad. So a contact
 /// is taut where an outward load above half of F_ad has brought it below x_t = q F_ad/K, and has a
