@@ -225,6 +225,7 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   if (state.phase != ContactState::persistent) return false;
   if (energies) {
     set_persistent_losses(step, *energies);
+    energies->after.normal_damping = 0.0;  // of another contact
     if (with_stored)
       set_normal_stored(*k->solver, {at, 0.0, false, before, state, state.force, 0.0},
                         contact.radsum, *energies);
