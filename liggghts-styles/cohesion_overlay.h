@@ -173,9 +173,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (!carries(contact)) return;
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
-    auto* const energies = new_energies();
+    auto* const energies = last_energies();
     const bool with_stored = reads_energies();
     if (!exact_->advance_persistent(contact, spring, force, energies, with_stored)) {
+      if (energies) *energies = {};
       cohesion::contact_solver::ContactStep step;
       if (!exact_->advance(contact, contact.r, contact.en, step, energies, with_stored)) step = {};
       exact_->set_friction(contact, step, spring);
@@ -289,10 +290,12 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   /// Of scheme exact; null: no tally is kept.
+  cohesion::contact_solver::ContactEnergies* last_energies() {
+    return last_energies_ = tally_ ? &energies_ : nullptr;
+  }
   cohesion::contact_solver::ContactEnergies* new_energies() {
-    if (!tally_) return nullptr;
-    energies_ = {};
-    return last_energies_ = &energies_;
+    if (tally_) energies_ = {};
+    return last_energies();
   }
 
   /// Whether an output reads the energies of this step.

@@ -18,8 +18,8 @@ namespace Cohesion {
 /// engine shows costs: of a dense gas a tenth takes half as long again.
 constexpr double MARGIN = 0.01;
 /// Of scheme exact: the energy account of a pair that has left its range closes in the steps after
-/// it, up to four where other contacts act on the two particles.
-constexpr double EXACT_MARGIN = 4.0 * MARGIN;
+/// it, up to three where other contacts act on the two particles.
+constexpr double EXACT_MARGIN = 3.0 * MARGIN;
 
 /// How far a cohesion acts and must see: up to a gap `gap` + `ratio` r, r being the sum of the
 /// radii, or the radius beside a wall.

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "atom.h"
@@ -17,6 +18,7 @@
 #include "contact_range.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_state.h"
+#include "contact_solver/linear_contact.h"
 #include "contact_solver/normal_energies.h"
 #include "contact_solver/pair_motion.h"
 #include "fix_accelerations.h"
@@ -211,23 +213,33 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   if (!contact.computeflag || !contact.shearupdate) return false;
   const CachedContact* const k = cached_contact(contact);
   if (!k) return false;
-  ContactState state = ContactState::stored(history);
+  ContactState state = ContactState::stored_persistent(history);
   const double time_apart = k->solver->step() - state.contact_time;
   cohesion::contact_solver::PersistentStep step;
-  const StaggeredMotion at = motion(contact, contact.r, contact.en);
+  const cohesion::Vector3 w = cohesion::vector(contact.v_i) - cohesion::vector(contact.v_j);
+  const double rate = dot(w, cohesion::vector(contact.en));
   WallVelocity wall;
   if (contact.is_wall) wall = pass_wall(contact, contact.en, history, state);
-  const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
+  const double speed_squared = contact.is_wall ? rate * rate : dot(w, w);
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
-      at.distance, contact.rinv, at.rate, speed_squared, k->solver->step());
-  const ContactState before = state;
-  if (!k->solver->advance_persistent(distance, state, step)) return false;
+      contact.r, contact.rinv, rate, speed_squared, k->solver->step());
+  // The most frequent one is worth a call of its own. It needs no energy at touch.
+  const auto* const linear =
+      std::get_if<cohesion::contact_solver::LinearContact>(&k->solver->contact());
+  if (linear ? !k->solver->advance_persistent(*linear, distance, 0.0, state, step)
+             : !k->solver->advance_persistent(distance, state, step))
+    return false;
   if (state.phase != ContactState::persistent) return false;
   if (energies) {
     set_persistent_losses(step, *energies);
-    if (with_stored)
+    energies->after.normal_damping = 0.0;  // of another contact
+    if (with_stored) {
+      ContactState before = ContactState::stored_persistent(history);
+      if (contact.is_wall) pass_wall(contact, contact.en, history, before);
+      const StaggeredMotion at = motion(contact, contact.r, contact.en);
       set_normal_stored(*k->solver, {at, 0.0, false, before, state, state.force, 0.0},
                         contact.radsum, *energies);
+    }
   }
   force = state.force;
   set_friction(contact, *k, step, time_apart, spring);

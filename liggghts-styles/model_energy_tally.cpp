@@ -74,13 +74,10 @@ void ModelEnergyTally::add(const ContactModels::SurfacesIntersectData& d,
   else
     c.normal_dashpot = cohesion::contact::normal_dashpot(d.Fn, d.deltan, d.kn);
   std::memcpy(&c.normal, d.en, sizeof(c.normal));
-  const Vector3 force = vector(on_i.delta_F), slip{d.vtr1, d.vtr2, d.vtr3};
-  c.force = force;
-  c.slip = slip;
-  Vector3 spring{};
-  if (models.displacement >= 0) spring = -d.kt * vector(d.contact_history + models.displacement);
-  c.damping = cohesion::contact::acting_damping(force, spring, d.gammat, slip);
-  if (models.rolls || d.is_wall) add_rare(d, on_i, on_j, models.rolls);
+  c.force = vector(on_i.delta_F);
+  if (models.displacement >= 0)
+    c.without_dashpot = d.kt * vector(d.contact_history + models.displacement);
+  if (models.displacement < 0 || models.rolls || d.is_wall) add_rare(d, on_i, on_j, models);
 }
 
 void ModelEnergyTally::grow_and_add(const ContactModels::SurfacesIntersectData& d,
@@ -93,9 +90,15 @@ void ModelEnergyTally::grow_and_add(const ContactModels::SurfacesIntersectData& 
 
 void ModelEnergyTally::add_rare(const ContactModels::SurfacesIntersectData& d,
                                 const ContactModels::ForceData& on_i,
-                                const ContactModels::ForceData& on_j, bool rolls) {
-  const Touching& c = touching_[contacts_ - 1];
-  if (rolls) add_rolling(d, on_i, on_j, c);
+                                const ContactModels::ForceData& on_j, const OtherModels& models) {
+  Touching& c = touching_[contacts_ - 1];
+  if (models.displacement < 0) {
+    cohesion::contact::SampledForces& f = c.forces;
+    f.without_dashpot = cohesion::contact::dashpot_acts(f.force, d.gammat, {d.vtr1, d.vtr2, d.vtr3})
+                            ? Vector3{}
+                            : dot(f.force, f.normal) * f.normal - f.force;
+  }
+  if (models.rolls) add_rolling(d, on_i, on_j, c);
   if (d.is_wall) add_wall(d, on_i, c);
 }
 

@@ -92,7 +92,7 @@ class ModelEnergyTally {
       const cohesion::contact_solver::ContactEnergies* of_normal);
   [[gnu::noinline]] void add_rare(const ContactModels::SurfacesIntersectData&,
                                   const ContactModels::ForceData& on_i,
-                                  const ContactModels::ForceData& on_j, bool rolls);
+                                  const ContactModels::ForceData& on_j, const OtherModels&);
   void add_rolling(const ContactModels::SurfacesIntersectData&,
                    const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
                    const Touching&);

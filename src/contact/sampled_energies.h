@@ -24,15 +24,13 @@ inline double tangential_spring_energy(const Vector3& displacement, double stiff
   return 0.5 * stiffness * dot(displacement, displacement);
 }
 
-/// The damping [mass/time] of the tangential dashpot, or 0 in a contact that slides, whose Coulomb
-/// force has no dashpot. `force`: on i, of which the part along the normal does not matter;
-/// `spring`: that of the tangential spring; `slip`: velocity of i's surface against j's in the
-/// plane of contact. A contact sticks where the force equals the sum of spring and dashpot within
-/// 1e-6 of the dashpot, which is well above rounding.
-inline double acting_damping(const Vector3& force, const Vector3& spring, double damping,
-                             const Vector3& slip) {
+/// Whether the tangential dashpot acts in a contact without a tangential spring: it does not where
+/// the contact slides. `force`: on i, of which the part along the normal does not matter; `damping`
+/// [mass/time]; `slip`: velocity of i's surface against j's in the plane of contact. A contact
+/// sticks where the force is that of the dashpot within 1e-6, which is well above rounding.
+inline bool dashpot_acts(const Vector3& force, double damping, const Vector3& slip) {
   const double power = damping * dot(slip, slip);
-  return std::abs(dot(force - spring, slip) + power) <= 1e-6 * power ? damping : 0.0;
+  return std::abs(dot(force, slip) + power) <= 1e-6 * power;
 }
 
 /// The energy T^2/(2 K_r R^2) of a rolling spring of stiffness `stiffness` K_r [force/length] and
@@ -44,11 +42,12 @@ inline double rolling_spring_energy(const Vector3& torque, double stiffness, dou
 /// The forces of a contact, from which their work follows once the velocities after the step are
 /// known.
 struct SampledForces {
-  Vector3 normal;           ///< from j, or the wall, to i
-  Vector3 force;            ///< on i, of all models, [force]
-  Vector3 slip;             ///< of acting_damping(), [velocity]
+  Vector3 normal;  ///< from j, or the wall, to i
+  Vector3 force;   ///< on i, of all models, [force]
+  /// The reverse of the tangential force on i without its dashpot, [force]: K_t times the
+  /// displacement of the spring. A contact that slides has shortened it to the Coulomb force.
+  Vector3 without_dashpot;
   double lever_i, lever_j;  ///< from each centre to the point of contact, [length]
-  double damping;           ///< acting_damping(), [mass/time]
   double normal_dashpot;    ///< normal_dashpot(), [force]
 };
 
@@ -75,8 +74,8 @@ inline ContactPowers contact_powers(const SampledForces& c, const Vector3& centr
                                     const Vector3& turn) {
   const Vector3 surfaces = centres - cross(turn, c.normal);
   const double along = dot(c.normal, centres);
-  return {dot(c.force, surfaces) - dot(c.force, c.normal) * along,
-          -c.damping * dot(c.slip, surfaces), c.normal_dashpot * along};
+  const double friction = dot(c.force, surfaces) - dot(c.force, c.normal) * along;
+  return {friction, friction + dot(c.without_dashpot, surfaces), c.normal_dashpot * along};
 }
 
 /// Of both particles, without their rolling friction.
@@ -93,8 +92,8 @@ inline ContactPowers contact_powers(const SampledForces& c, const SphereMotion& 
 /// Of a wall that moves at `velocity`: what contact_powers() of i lacks.
 inline ContactPowers wall_powers(const SampledForces& c, const Vector3& velocity) {
   const double along = dot(c.normal, velocity);
-  return {-dot(c.force, velocity - along * c.normal), c.damping * dot(c.slip, velocity),
-          -c.normal_dashpot * along};
+  const double friction = -dot(c.force, velocity - along * c.normal);
+  return {friction, friction - dot(c.without_dashpot, velocity), -c.normal_dashpot * along};
 }
 
 /// The torque of rolling friction on a particle: what of `torque`, by all models, the tangential
