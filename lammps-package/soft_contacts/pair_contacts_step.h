@@ -32,21 +32,18 @@ template <class Contact>
 template <int SIZE>
 void PairContacts<Contact>::compute_sized(const ClosePairs& pairs,
                                           std::optional<cohesion::contact::LawKind> only_law) {
-  namespace contact = cohesion::contact;
+  using namespace cohesion::contact;
+  using namespace cohesion::contact_solver;
   // A loop for each normal law, of results that stay in registers; one for laws that differ and for
   // steps with momentum fluxes.
   if (Contact::is_exact && !step_->sums_flux() && only_law) {
     switch (*only_law) {
-      case contact::LawKind::linear:
-        return compute_by<SIZE, cohesion::contact_solver::LinearContact>(pairs);
-      case contact::LawKind::hertz:
-        return compute_by<SIZE,
-                          cohesion::contact_solver::IntegratedContact<contact::HertzSpringDashpot>>(
-            pairs);
-      case contact::LawKind::jkr:
-        return compute_by<SIZE,
-                          cohesion::contact_solver::IntegratedContact<contact::JkrSpringDashpot>>(
-            pairs);
+      case LawKind::linear:
+        return compute_by<SIZE, LinearContact>(pairs);
+      case LawKind::hertz:
+        return compute_by<SIZE, IntegratedContact<HertzSpringDashpot>>(pairs);
+      case LawKind::jkr:
+        return compute_by<SIZE, IntegratedContact<JkrSpringDashpot>>(pairs);
     }
   }
   compute_by<SIZE, ContactMotion>(pairs);
