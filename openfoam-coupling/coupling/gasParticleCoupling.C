@@ -5,6 +5,7 @@
 #include "clockTime.H"
 
 #include "coupling/drag/meanGasForce.H"
+#include "coupling/exchange/exchangeTraffic.H"
 #include "coupling/particles/engineView.H"
 #include "coupling/particles/writeParticleCloud.H"
 #include "coupling/restart/completeState.H"
@@ -77,7 +78,7 @@ Foam::scalar Foam::gasParticleCoupling::particleCourantNumber() const
 
 void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 {
-    averaging_.exchange().startStep();
+    exchangeTraffic::ofRank().startStep();
     if (step_->adjustable())
     {
         locateParticles();

@@ -3,6 +3,7 @@
 #include "gasParticleCoupling.H"
 
 #include "coupling/exchange/cellVolume.H"
+#include "coupling/exchange/exchangeTraffic.H"
 #include "sixDigits.H"
 
 using namespace cohesion;
@@ -79,7 +80,7 @@ void Foam::gasParticleCoupling::report(const scalar total)
     bound_.report();
     if (Pstream::parRun())
     {
-        averaging_.exchange().traffic().report();
+        exchangeTraffic::ofRank().report();
     }
 
     scalar particles = seconds_.particles;

@@ -14,7 +14,7 @@ Description
 Usage
     cohesiveBedFoam [-overwrite] [-parallel]
     cohesiveBedFoam -postProcess [-func name]   // on written results, without particles
-    with constant/couplingProperties as described in gasParticleCoupling.H; continues a run when
+    with constant/couplingProperties as described in docs/openfoam-coupling/cohesiveBedFoam.md; continues a run when
     system/controlDict says `startFrom latestTime`
 */
 

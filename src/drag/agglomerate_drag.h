@@ -9,39 +9,27 @@
 #include "drag/drag_law.h"
 #include "drag/in_agglomerate.h"
 
-/// The drag on spheres that are bound in an agglomerate, over any closure of equal spheres.
-///
-/// The gas goes around an agglomerate as around one sphere, or through it between its spheres,
-/// whichever has the lesser drag:
+/// The drag on spheres that are bound in an agglomerate, over any closure of equal spheres
+/// (docs/openfoam-coupling/agglomerate_drag.md):
 ///
 ///   f = min(1, F_total(eps_h, Re_h) R_h/(N a F_total(eps, Re)))
 ///
 /// is the factor on the closure's drag of each of its spheres. F_total(eps, Re) of the closure is
-/// the force over 3 pi mu d U (stokes_scaled.h), U = eps |u - v| the superficial slip, which both
-/// ways have alike; Re = 2 rho U a/mu, Re_h = 2 rho U R_h/mu.
+/// the force over 3 pi mu d U (stokes_scaled.h), U = eps |u - v| the superficial slip
+/// [length/time]; Re = 2 rho U a/mu, Re_h = 2 rho U R_h/mu [1].
 ///
 ///   R_h = R_s phi_s^(c (R_s/(N a))^(1/2)),     c = 0.238,
 ///   R_s = (a^2 + 5/3 R_g^2)^(1/2),   phi_s = N a^3/R_s^3,
 ///   phi_h = phi R_h^3/(N a^3),  eps_h = 1 - phi_h
 ///
-/// with N spheres of the radius a, R_g of gyration of their centres, and phi = 1 - eps the solid
-/// fraction where the sphere is. R_s is the ball that is filled evenly and has this R_g, phi_s the
-/// solid fraction in it, and N a/R_s, the drag that its spheres would have alone over that of the
-/// ball, keeps the flow out. R_h is a fit to resolved flow through 22 agglomerates, chains and
-/// dense balls of 2 to 135 spheres, which are 2 % from it (root of the mean square) and 4.5 % at
-/// most; among others the whole law was found within 17 % (examples/agglomerate-drag).
+/// with N spheres of the radius a [length], R_g of gyration of their centres [length], and
+/// phi = 1 - eps the solid fraction where the sphere is [1]. R_h is a fit to resolved flow through
+/// 22 agglomerates, chains and dense balls of 2 to 135 spheres, within 4.5 %; among others the
+/// whole law was found within 17 % (examples/agglomerate-drag). With F_total, not F_drag, f is that
+/// of both forms of the model.
 ///
-/// F_total, not F_drag: n agglomerates in a volume have the pressure gradient n F_total of each.
-/// Beside the pressure on the volume of their spheres that leaves eps F_total for the drag of form
-/// A, with the eps of the solid, the same share as of the spheres' own. So f is that of both forms.
-///
-/// Limits: 1 for N = 1; R_h/(N a) in dilute gas without inertia; 1 where the agglomerates take up
-/// all of the volume: there is no way around them, and before that the closures tend to an infinite
-/// force, so f has no jump that the closure has not. Beyond the closures' ranges their formulas are
-/// used as they are.
-///
-/// Validity: spheres of one size. Agglomerates larger than a cell of the mesh see the solid
-/// fraction inside of themselves and have f = 1, as the mesh resolves the way around them.
+/// Limits: 1 for N = 1; R_h/(N a) in dilute gas without inertia; 1 where phi_h >= 1. Beyond the
+/// closures' ranges their formulas are used as they are. Validity: spheres of one size.
 ///
 /// Source: the sphere of the same drag that cluster simulations compare with (R. Beetstra, M. A.
 /// van der Hoef, J. A. M. Kuipers, Comput. Fluids 35 (2006) 966); the rest is of this package.

@@ -33,16 +33,13 @@ namespace cohesion::drag {
 /// 1 - phi in the charges free particles have k + sqrt(k^2 + k), k = n/eps, or k, when drag is
 /// stiff.
 ///
-/// What is left is that the particles displace gas a step late. With stiff drag and five steps of
-/// the particles or more, L is below -1 where
-///   (n/eps) (1 + 4 r n) (1 - 2/S) > 1,
-/// below an eps of 0.69 for many steps of the particles and r = 1, and of 0.5 for r = 0. With few
-/// steps a pair of L may leave the unit circle at larger eps, with drag that is not stiff, too.
+/// The particles displace gas a step late: with stiff drag and five steps of the particles or more,
+/// L is below -1 where (n/eps) (1 + 4 r n) (1 - 2/S) > 1. With few steps a pair of L may leave the
+/// unit circle at larger eps, with drag that is not stiff, too.
 ///
-/// In form B the particles do not feel the pressure: g = 0, and nothing goes with what the gas is
-/// charged with. L is below -1 where (n/eps) (1 + E - 2 m) > 1 + E; with stiff drag that is r = 0
-/// above, with either response. A pair of L is outside of the unit circle where (n/eps) (m - E) >
-/// 1, of very dense particles or with few steps of them.
+/// In form B g = 0, and nothing goes with what the gas is charged with. L is below -1 where
+/// (n/eps) (1 + E - 2 m) > 1 + E, with either response. A pair of L is outside of the unit circle
+/// where (n/eps) (m - E) > 1.
 struct PressureStep {
   double step;           ///< x = b dt/m [1] > 0
   double void_fraction;  ///< eps [1], in (0, 1]

@@ -8,43 +8,27 @@
 
 namespace cohesion::hard_sphere {
 
-/// The rule of rest, the rules against inelastic collapse, and the limit of events.
+/// The rule of rest, the rules against inelastic collapse, and the limit of events
+/// (docs/theory/hard_spheres.md).
 ///
 /// The rule of rest: in a dissipative collision the partners separate along the line of centres
-/// with a least speed, the larger of two.
+/// with a least speed [length/time], the larger of two.
 ///
 /// 1. Where other forces press particles together, in steps of the engine:
 ///
 ///   G = C a dt sqrt(n)            a dt: velocity change by other forces in this step
 ///                                 n: previous collisions of the particle in this step
 ///
-/// for the particle with the larger value, even if that adds kinetic energy. So particles that come
-/// to rest keep an agitation of the order of the velocity change per step. A contact that transmits
-/// the momentum F dt in a step has at most
-///
-///   N = 1 + (3 F/(2 C m a))^(2/3)
-///
-/// collisions in it, m the reduced mass: the k-th has an impulse of at least m C a dt sqrt(k - 1).
-///
-/// The force F on a contact of a bed is not bounded by the weight above it: a row of spheres that
-/// just fits between two walls is pressed flat by an unbounded force. If G were constant, N would
-/// grow as F. If G grew as n, particles in a narrow gap would accelerate without bound within the
-/// step. With sqrt(n) the speeds stay bounded: in a gap with the clearance s there are at most
-///
-///   N = (C a dt^2/(2 s))^2
-///
-/// collisions.
+/// for the particle with the larger value, even if that adds kinetic energy. If G were constant,
+/// the collisions of a contact in a step would grow as the force on it. If G grew as n, particles
+/// in a narrow gap would accelerate without bound within the step.
 ///
 /// 2. Where wells press particles together, independent of the step:
 ///
-///   K = 1e-3 C sqrt(2 D/m) sqrt(max(n, 1))        D: depth of the well
+///   K = 1e-3 C sqrt(2 D/m) sqrt(max(n, 1))        D: depth of the well, m: reduced mass
 ///
-/// as far as that adds no kinetic energy. Captures at the edges of wells press some cores of a
-/// rotating cluster together: three spheres that rotate about an axis in their plane pull two of
-/// them together. The cores dissipate energy, the edges return none, and without the rule all
-/// speeds would tend to 0 and the number of events to infinity, in a finite time. With the rule a
-/// collision whose energy along the line of centres is below 1e-6 C^2 D is elastic. A cluster that
-/// rotates with the speed v has some v/K events per contact and revolution.
+/// as far as that adds no kinetic energy: a collision whose energy along the line of centres is
+/// below 1e-6 C^2 D is elastic.
 ///
 /// At the edge a capture returns the pair by at least 1e-6 C^2 of the width of the well, or with K
 /// if that is slower: the relative velocity is rotated inwards. Its magnitude is conserved, and so

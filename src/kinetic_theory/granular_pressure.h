@@ -34,9 +34,6 @@ struct GranularPressure {
     return density *
            (1.0 + 2.0 * (1.0 + restitution) * phi * (contacts + phi * radial * cohesion.slope));
   }
-  constexpr double slope(double phi, double radial, double radial_slope) const {
-    return slope(phi, radial, radial_slope, Cohesion{1.0, 0.0});
-  }
 };
 
 }  // namespace cohesion::kinetic_theory

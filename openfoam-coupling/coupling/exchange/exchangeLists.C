@@ -3,6 +3,8 @@
 
 #include "error.H"
 
+#include "exchangeTraffic.H"
+
 #include <mpi.h>
 
 namespace
@@ -59,6 +61,7 @@ void Foam::exchangeRecords
             requests.emplace_back();
             const Records& r = sent[rank];
             MPI_Isend(r.first, r.count, record, int(rank), tag, MPI_COMM_WORLD, &requests.back());
+            exchangeTraffic::ofRank().count(label(rank), r.count*bytes);
         }
     }
     for (std::size_t rank = 0; rank < expected.size(); ++rank)

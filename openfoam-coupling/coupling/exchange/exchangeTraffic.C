@@ -6,29 +6,20 @@
 #include "messageStream.H"
 
 
-void Foam::exchangeTraffic::countOne(const label rank, const std::size_t bytes)
+Foam::exchangeTraffic& Foam::exchangeTraffic::ofRank()
 {
-    if (rank == UPstream::myProcNo())
-    {
-        return;
-    }
+    static exchangeTraffic traffic;
+    return traffic;
+}
+
+
+void Foam::exchangeTraffic::count(const label rank, const std::size_t bytes)
+{
     messages_ += 1;
     bytes_ += bytes;
     to_.setSize(UPstream::nProcs(), false);
     ranks_ += !to_[rank];
     to_[rank] = true;
-}
-
-
-void Foam::exchangeTraffic::count(const labelUList& labels)
-{
-    forAll(labels, rank)
-    {
-        if (labels[rank])
-        {
-            countOne(rank, sizeof(label));
-        }
-    }
 }
 
 

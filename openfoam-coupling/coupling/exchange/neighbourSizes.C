@@ -4,6 +4,8 @@
 #include "UPstream.H"
 #include "error.H"
 
+#include "exchangeTraffic.H"
+
 #include <mpi.h>
 
 #include <vector>
@@ -49,6 +51,7 @@ Foam::labelList Foam::neighbourSizes::operator()(const labelUList& sent)
         {
             arrivals.emplace_back();
             MPI_Issend(&sent[rank], bytes, MPI_BYTE, rank, tag, world, &arrivals.back());
+            exchangeTraffic::ofRank().count(rank, sizeof(label));
         }
     }
 

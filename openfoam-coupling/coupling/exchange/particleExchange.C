@@ -22,8 +22,7 @@ Foam::particleExchange::particleExchange
     mesh_(mesh),
     meshCells_(mesh, kernel),
     images_(meshCells::images(mesh)),
-    rankBounds_(Pstream::nProcs()),
-    map_(traffic_)
+    rankBounds_(Pstream::nProcs())
 {
     // A particle on the outermost face must not fall between two boxes by round-off.
     boundBox bounds(mesh.points(), false);
@@ -338,16 +337,12 @@ void Foam::particleExchange::locate
     PerRank<Query> sent(queries(positions, radii, particles));
     const labelList sizes(sizesOf(sent));
     const labelList received(neighbourSizes_(sizes));
-    traffic_.count(sizes);
-    const PerRank<Query> queried(exchangeLists(std::move(sent), received, traffic_));
+    const PerRank<Query> queried(exchangeLists(std::move(sent), received));
 
     scalarList sums(positions.size(), Zero);
-    PerRank<Part> parts
-    (
-        assign(exchangeLists(replies(queried), sizes, traffic_), particles, sums)
-    );
+    PerRank<Part> parts(assign(exchangeLists(replies(queried), sizes), particles, sums));
     requireInside(positions, ids, sums);
-    parts = exchangeLists(std::move(parts), received, traffic_);
+    parts = exchangeLists(std::move(parts), received);
     map_.set(positions.size(), std::move(particles), setParts(queried, parts));
     setWeights(sums);
 }

@@ -3,7 +3,6 @@
 // in every cell of the case in which it is started, a line each: model, name, quantity, values.
 // constant/models names them; the libraries of the case come with its controlDict.
 #include "argList.H"
-#include "conductivityModel.H"
 #include "dragModel.H"
 #include "fvMesh.H"
 #include "granularPressureModel.H"
@@ -11,7 +10,6 @@
 #include "radialModel.H"
 #include "twoPhaseSystem.H"
 #include "uniformDimensionedFields.H"
-#include "viscosityModel.H"
 
 #include <cstdio>
 #include <memory>
@@ -51,9 +49,10 @@ void print_drags(const dictionary& settings, const fvMesh& mesh, const dimension
 }
 
 void print_kinetic_theory(const dictionary& settings, const fvMesh& mesh) {
+  // Theta is looked up by its name.
   const volScalarField alpha(read("alpha.particles", mesh)), g0(read("g0", mesh)),
       slope(read("g0prime", mesh)), theta(read("Theta.particles", mesh)),
-      rho(read("rho.particles", mesh)), d(read("d", mesh));
+      rho(read("rho.particles", mesh));
   const dimensionedScalar e("e", dimless, settings), least("least", dimless, 0.5),
       most("alphaMax", dimless, settings);
   for (const word& name : settings.get<wordList>("radial")) {
@@ -68,15 +67,6 @@ void print_kinetic_theory(const dictionary& settings, const fvMesh& mesh) {
     print("pressure", name, "PsCoeff", pressure->granularPressureCoeff(alpha, g0, rho, e));
     print("pressure", name, "PsCoeffPrime",
           pressure->granularPressureCoeffPrime(alpha, g0, slope, rho, e));
-  }
-  for (const word& name : settings.get<wordList>("viscosity")) {
-    const dictionary dict(named(settings, "viscosityModel", name));
-    print("viscosity", name, "nu", viscosityModel::New(dict)->nu(alpha, theta, g0, rho, d, e));
-  }
-  for (const word& name : settings.get<wordList>("conductivity")) {
-    const dictionary dict(named(settings, "conductivityModel", name));
-    print("conductivity", name, "kappa",
-          conductivityModel::New(dict)->kappa(alpha, theta, g0, rho, d, e));
   }
 }
 

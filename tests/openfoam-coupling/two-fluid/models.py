@@ -74,7 +74,6 @@ def models(folder, settings, fractions, slips, theta, diameter=D):
     fields["g0"] = (radial, "[0 0 0 0 0 0 0]")
     fields["g0prime"] = (slope(carnahan_starling, np.asarray(fractions)), "[0 0 0 0 0 0 0]")
     fields["rho.particles"] = ([1500.0 + 100 * k for k in range(len(POINTS))], "[1 -3 0 0 0 0 0]")
-    fields["d"] = (np.linspace(1e-5, 1e-3, len(POINTS)), "[0 1 0 0 0 0 0]")
     fields["U.particles"] = ([(0, -slip, 0) for slip in slips], "[0 1 -1 0 0 0 0]")
     fields["U.air"] = ([(0.0, 0.0, 0.0)] * len(POINTS), "[0 1 -1 0 0 0 0]")
     for name, (values, dimensions) in fields.items():
@@ -90,11 +89,11 @@ def models(folder, settings, fractions, slips, theta, diameter=D):
     assert said.returncode == 0, said.stdout[-3000:] + said.stderr[-3000:]
     rows = [line.split() for line in said.stdout.splitlines()]
     return {tuple(row[:3]): np.array(row[3:], float) for row in rows
-            if row and row[0] in ("drag", "radial", "pressure", "viscosity", "conductivity")}
+            if row and row[0] in ("drag", "radial", "pressure")}
 
 
 def drag_settings(names, more=""):
-    return (f"drag ({' '.join(names)}); radial (); pressure (); viscosity (); conductivity ();\n"
+    return (f"drag ({' '.join(names)}); radial (); pressure ();\n"
             f"e {E}; alphaMax {ALPHA_MAX}; residualRe 1e-300; swarmCorrection {{ type none; }}\n{more}")
 
 
@@ -154,7 +153,7 @@ class Models(unittest.TestCase):
                 self.near(f"{name}, {key}: the share", found[key], values * share, 6e-14)
 
     def test_radial_functions(self):
-        found = models(WORK / "radial", "drag (); pressure (); viscosity (); conductivity ();"
+        found = models(WORK / "radial", "drag (); pressure ();"
                        f"e {E}; alphaMax {ALPHA_MAX};radial (maAhmadi carnahanStarling CarnahanStarling);",
                        FRACTIONS, [0] * 20, THETA)
         within = np.minimum(FRACTIONS, ALPHA_MAX)
@@ -167,30 +166,11 @@ class Models(unittest.TestCase):
             self.near(f"the solver's own: {quantity}", found["radial", "carnahanStarling", quantity][:-1],
                       found["radial", "CarnahanStarling", quantity][:-1], ROUNDING)
 
-    def test_pressure_viscosity_and_conductivity(self):
-        found = models(WORK / "transport", f"drag (); radial (); e {E}; alphaMax {ALPHA_MAX}; pressure (lun Lun);"
-                       "viscosity (gidaspow Gidaspow); conductivity (gidaspow Gidaspow);",
-                       np.linspace(0.01, 0.64, 20), [0] * 20, THETA)
-        self.assertEqual(len(found), 8)
-        for model, ours, own, quantity in (("pressure", "lun", "Lun", "PsCoeff"),
-                                           ("pressure", "lun", "Lun", "PsCoeffPrime"),
-                                           ("viscosity", "gidaspow", "Gidaspow", "nu"),
-                                           ("conductivity", "gidaspow", "Gidaspow", "kappa")):
-            self.near(f"{ours} {quantity}", found[model, ours, quantity], found[model, own, quantity], ROUNDING)
-        phi = np.linspace(0.01, 0.64, 20)
-        rho = 1500.0 + 100 * np.arange(20)
-        # Lun et al.: rho phi theta (1 + 2 (1 + e) phi g0)
-        self.near("lun by its formula", found["pressure", "lun", "PsCoeff"],
-                  rho * phi * (1 + 2 * (1 + E) * phi * carnahan_starling(phi)), ROUNDING)
-        self.near("its slope", found["pressure", "lun", "PsCoeffPrime"],
-                  rho * slope(lambda x: x * (1 + 2 * (1 + E) * x * carnahan_starling(x)), phi), ROUNDING)
-
     def test_pressure_with_wells(self):
         """At each point another D/T, from 0.02 to 3e4, beyond what was measured; phi beyond it, too."""
         depth, ratio, mass, phi = 2e-12, 1.05, 1e-9, np.linspace(0.01, 0.64, 20)
         wells = "squareWellCoeffs {{ wellDepth {}; wellRatio {}; grainMass {}; }}"
-        settings = (f"drag (); radial (); e {E}; alphaMax {ALPHA_MAX}; pressure (lun squareWell); viscosity ();"
-                    "conductivity ();")
+        settings = (f"drag (); radial (); e {E}; alphaMax {ALPHA_MAX}; pressure (Lun squareWell);")
         theta = np.geomspace(depth / mass / 3e4, depth / mass / 0.02, 20)[::-1]
         theta = np.concatenate([theta[::2], theta[1::2]])  # cold and warm among thin and dense
         found = models(WORK / "wells", settings + wells.format(depth, ratio, mass), phi, [0] * 20, theta)
@@ -208,9 +188,8 @@ class Models(unittest.TestCase):
         for name, words in (("none", wells.format(0, ratio, mass)), ("no-width", wells.format(depth, 1, mass))):
             found = models(WORK / f"wells-{name}", settings + words, phi, [0] * 20, theta)
             for quantity in ("PsCoeff", "PsCoeffPrime"):
-                with self.subTest("without wells to the last digit", name=name, quantity=quantity):
-                    self.assertEqual(list(found["pressure", "squareWell", quantity]),
-                                     list(found["pressure", "lun", quantity]))
+                self.near(f"without wells, {name}: the solver's Lun, {quantity}",
+                          found["pressure", "squareWell", quantity], found["pressure", "Lun", quantity], ROUNDING)
 
 
 if __name__ == "__main__":
