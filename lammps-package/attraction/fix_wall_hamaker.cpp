@@ -39,9 +39,7 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
       given(hamaker::none),
       form(hamaker::forms.data()),
       law(form->law(given, false)),
-      watch(lammps),
-      gives_advice(false),
-      summed(false) {
+      watch(lammps) {
   read(narg, arg);
   std::fill_n(mine, 4, 0.0);
   scalar_flag = vector_flag = 1;

@@ -52,11 +52,11 @@ class FixWallHamaker : public FixWithWallHistory {
   cohesion::hamaker::AnyLaw law;
   std::vector<cohesion::contact_solver::Wall> planes;
   LammpsWatch watch;
-  bool gives_advice;  // for all fixes of this style
+  bool gives_advice = false;  // for all fixes of this style
   cohesion::advice::WarningFilter advice_filter;
   double mine[4];  // energy, force on the walls
   double total[4];
-  bool summed;
+  bool summed = false;
 };
 
 }  // namespace LAMMPS_NS
