@@ -53,14 +53,6 @@ inline double fastest_of(const Atom* atom, const Domain* domain, int count) {
   return std::sqrt(squared);
 }
 
-/// The speed of the fastest of the particles of all ranks.
-inline double fastest_particle(const LAMMPS* lmp) {
-  const double mine = fastest_of(lmp->atom, lmp->domain, lmp->atom->nlocal);
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
-  return all;
-}
-
 /// The shear of the box from the time when a list of neighbours was made to a time `ago` [time]
 /// before now.
 inline cohesion::shear::BoxShear shear_since(const cohesion::shear::NonaffineDisplacements& list,
