@@ -37,8 +37,6 @@ class FixWallHamaker : public FixWithWallHistory {
 
  private:
   void read(int, char**);
-  void read_planes(const std::string& word, char** positions);
-  void add_plane(int dimension, double side, const std::string& word, char* text);
   template <class Law>
   void attract(const Law&);
   void stop_at_passage(int i) const;
