@@ -20,7 +20,7 @@ using cohesion::Vector3;
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
     : EnergyTallyCompute(lammps, narg, arg), step(FixContactStep::of(lammps)), before() {
   reader = step->energy_tally.add_reader();
-  step->energy_tally.sums().add_so_far(-1.0, before);
+  step->energy_tally.add_so_far(-1.0, before);
 }
 
 void ComputeGranEnergy::init() {
@@ -46,7 +46,7 @@ bool ComputeGranEnergy::is_read() { return !step->is_running() || step->energy_t
 
 void ComputeGranEnergy::add_to(double* entries) {
   for (int k = 0; k < ENTRIES; k++) entries[k] += before[k];
-  step->energy_tally.sums().add_so_far(1.0, entries);
+  step->energy_tally.add_so_far(1.0, entries);
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
@@ -58,5 +58,5 @@ void ComputeGranEnergy::add_to(double* entries) {
              cohesion::vector(atom->omega[i]), cohesion::vector(&weight[3 * i]),
              cohesion::vector(place));
   }
-  step->energy_tally.sums().add_stored(entries);
+  step->energy_tally.add_stored(entries);
 }
