@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "contact_models.h"
 #include "domain.h"
+#include "encounter.h"
 #include "exact_contacts.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
@@ -36,15 +37,6 @@ constexpr const char* turned_too_often =
     ", scheme exact: a pair, or a particle and a wall, turned round a hundred times or more within "
     "one step, between contact and the edge of the adhesion or along that edge, and was not "
     "resolved to the end of that step: use a smaller time step; first ";
-
-/// Without this flag the engine forgets the contact when it makes a new list.
-void remember(const ContactModels::SurfacesCloseData& d, bool something) {
-  if (!d.contact_flags) return;
-  if (something)
-    *d.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
-  else
-    *d.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
-}
 
 }  // namespace
 

@@ -28,15 +28,6 @@ constexpr const char* tension_property = "bridgeSurfaceTension";
 constexpr const char* angle_property = "bridgeContactAngle";
 constexpr const char* volume_property = "bridgeVolume";
 
-/// Without this flag the engine forgets the contact when it makes a new list.
-void remember(const ContactModels::SurfacesCloseData& d, bool something) {
-  if (!d.contact_flags) return;
-  if (something)
-    *d.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
-  else
-    *d.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
-}
-
 }  // namespace
 
 LiquidBridgeAttraction::LiquidBridgeAttraction(LAMMPS* lmp, IContactHistorySetup* owner,

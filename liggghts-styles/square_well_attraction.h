@@ -107,15 +107,6 @@ class SquareWellAttraction : public CohesionDefaults {
     return d.radsum * d.radsum;
   }
 
-  /// Without this flag the engine forgets the contact when it makes a new list.
-  static void remember(const ContactModels::SurfacesCloseData& near, bool something) {
-    if (!near.contact_flags) return;
-    if (something)
-      *near.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
-    else
-      *near.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
-  }
-
   void step(const Encounter& encounter, double* history);
   void warn_if_out_of_sight(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;

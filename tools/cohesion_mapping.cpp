@@ -18,6 +18,7 @@
 #include "elastic_numbers.h"
 #include "former_names.h"
 #include "hamaker/roughness.h"
+#include "named_table.h"
 #include "square_well/parameters.h"
 
 namespace {
@@ -96,20 +97,10 @@ advice::HeadOnPair pair_of(const MappingRequest& r) {
   return {contact::normal_contact(parameters, mu), geometry, r.wall ? ri : ri + rj};
 }
 
-const hamaker::Form* form_of(const MappingRequest& r) {
-  for (const hamaker::Form& form : hamaker::forms)
-    if (form.name == r.form) return &form;
-  return nullptr;  // not reached: the names are checked with the command line
-}
-
-hamaker::Asperity asperity_of(const MappingRequest& r) {
-  if (r.roughness.empty()) return {r.asperity, 0.0};
-  return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
-}
-
 advice::HamakerKind kind_of(const MappingRequest& r) {
-  const hamaker::Asperity asperity = asperity_of(r);
-  return {form_of(r), r.cutoffs.at(0), r.cutoffs.at(1), asperity.radius, asperity.height};
+  const hamaker::Asperity asperity = hamaker::asperity_of(r.asperity, r.roughness);
+  return {&find_by_name(hamaker::forms, "form", r.form), r.cutoffs.at(0), r.cutoffs.at(1),
+          asperity.radius, asperity.height};
 }
 
 class Mapping {

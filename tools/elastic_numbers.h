@@ -83,7 +83,7 @@ class ElasticNumbers {
     require(speed_ > 0.0 && std::isfinite(speed_), "speed of impacts", speed_,
             "a pair that never sticks, or always, has no escape velocity: give --speed");
     require(!softens() || force == 0.0 || keep_ == contact::Keep::force || is_plain(),
-            "asperity radius", asperity_of(r).radius,
+            "asperity radius", hamaker::asperity_of(r.asperity, r.roughness).radius,
             "only the form small_gap without asperities is scaled: add --keep force");
     if (!softens()) return;
     soft_ = real_.softened(r.soft_young / r.young * real_.contact().modulus, keep_);
@@ -117,13 +117,9 @@ class ElasticNumbers {
     return real_.is_jkr() || (request_.form == "small_gap" && hamaker_.asperity_radius == 0.0);
   }
 
-  static hamaker::Asperity asperity_of(const ElasticRequest& r) {
-    if (r.roughness.empty()) return {r.asperity, 0.0};
-    return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
-  }
   static hamaker::HamakerParameters hamaker_of(const ElasticRequest& r) {
     if (r.hamaker == 0.0) return hamaker::none;
-    const hamaker::Asperity asperity = asperity_of(r);
+    const hamaker::Asperity asperity = hamaker::asperity_of(r.asperity, r.roughness);
     return {r.hamaker, r.cutoffs.at(0), r.cutoffs.at(1), asperity.radius, asperity.height};
   }
   static contact::ContactParameters contact_of(const ElasticRequest& r) {

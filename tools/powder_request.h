@@ -172,8 +172,7 @@ inline void add_options(CLI::App& app, PowderRequest& r) {
 
 /// Throws InvalidParameter as hamaker::asperity_of.
 inline hamaker::Asperity asperity_of(const PowderRequest& r) {
-  if (r.roughness.empty()) return {r.asperity, 0.0};
-  return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
+  return hamaker::asperity_of(r.asperity, r.roughness);
 }
 
 /// The gas given by its density and viscosity, or by its name and state. Throws InvalidParameter as

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,12 +11,12 @@
 #include "common/plausible_sizes.h"
 #include "common/specified_keywords.h"
 #include "contact/adhesion.h"
-#include "domain.h"
 #include "engine/largest_radii.h"
 #include "engine/particles_at_walls.h"
 #include "error.h"
 #include "input/hamaker_keywords.h"
 #include "input/law_from_script.h"
+#include "input/walls_from_script.h"
 #include "input/words_of_law.h"
 #include "modify.h"
 #include "sphere.h"
@@ -39,9 +38,7 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
       given(hamaker::none),
       form(hamaker::forms.data()),
       law(form->law(given, false)),
-      watch(lammps),
-      gives_advice(false),
-      summed(false) {
+      watch(lammps) {
   read(narg, arg);
   std::fill_n(mine, 4, 0.0);
   scalar_flag = vector_flag = 1;
@@ -69,6 +66,7 @@ void FixWallHamaker::read(int narg, char** arg) {
   WordsOfLaw all(lmp, where, 3, narg, arg, {{"hamaker", 1}, {"cutoff", 2}});
   const std::vector<ContactKeyword<hamaker::HamakerParameters>> keywords = hamaker_keywords();
   SpecifiedKeywords specified(lmp, where);
+  WallsFromScript from_words(lmp, "fix wall/hamaker");
   hamaker::HamakerParameters p = hamaker::none;
   char** const words = all.get();
   const int count = all.count();
@@ -86,45 +84,20 @@ void FixWallHamaker::read(int narg, char** arg) {
       specified.note(1, words + i);
       form = hamaker_form_from_script(lmp, where, words[i + 1]);
       i += 2;
-    } else if (word == "xplane" || word == "yplane" || word == "zplane") {
-      if (left < 2)
-        error->all(FLERR, "fix wall/hamaker: " + word + " takes two positions, NULL for no wall");
-      read_planes(word, words + i + 1);
-      i += 3;
+    } else if (const int taken = from_words.read_planes(count - i, words + i)) {
+      i += taken;
     } else {
       error->all(FLERR, "fix wall/hamaker: unknown keyword '" + word +
                             "'; valid ones: hamaker, cutoff, xplane, yplane, zplane, form, "
                             "asperity, roughness");
     }
   }
+  planes = from_words.walls;
   if (planes.empty() || !specified.has("hamaker") || !specified.has("cutoff"))
     error->all(FLERR, usage);
   require_one_roughness(lmp, where, specified);
   given = p;
   law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
-}
-
-void FixWallHamaker::read_planes(const std::string& word, char** positions) {
-  const int dimension = word[0] - 'x';
-  if (domain->periodicity[dimension])
-    error->all(FLERR,
-               "fix wall/hamaker: no " + word + " in a periodic direction; use 'boundary f' there");
-  const bool lower = strcmp(positions[0], "NULL") != 0, upper = strcmp(positions[1], "NULL") != 0;
-  if (!lower && !upper)
-    error->all(FLERR, "fix wall/hamaker: " + word + " NULL NULL is no wall; give a position");
-  if (lower) add_plane(dimension, 1.0, word, positions[0]);
-  if (upper) add_plane(dimension, -1.0, word, positions[1]);
-  const auto count = planes.size();
-  if (lower && upper && !(planes[count - 2].position < planes[count - 1].position))
-    error->all(FLERR, "fix wall/hamaker: " + word + " " + positions[0] + " " + positions[1] +
-                          ": the first position must be below the second");
-}
-
-void FixWallHamaker::add_plane(int dimension, double side, const std::string& word, char* text) {
-  const double position = utils::numeric(FLERR, text, false, lmp);
-  if (!std::isfinite(position))
-    error->all(FLERR, "fix wall/hamaker: " + word + " position " + text + " must be finite");
-  planes.push_back({static_cast<Wall::Shape>(dimension), side, position});
 }
 
 int FixWallHamaker::setmask() { return POST_FORCE | MIN_POST_FORCE; }

@@ -37,8 +37,6 @@ class FixWallHamaker : public FixWithWallHistory {
 
  private:
   void read(int, char**);
-  void read_planes(const std::string& word, char** positions);
-  void add_plane(int dimension, double side, const std::string& word, char* text);
   template <class Law>
   void attract(const Law&);
   void stop_at_passage(int i) const;
@@ -52,11 +50,11 @@ class FixWallHamaker : public FixWithWallHistory {
   cohesion::hamaker::AnyLaw law;
   std::vector<cohesion::contact_solver::Wall> planes;
   LammpsWatch watch;
-  bool gives_advice;  // for all fixes of this style
+  bool gives_advice = false;  // for all fixes of this style
   cohesion::advice::WarningFilter advice_filter;
   double mine[4];  // energy, force on the walls
   double total[4];
-  bool summed;
+  bool summed = false;
 };
 
 }  // namespace LAMMPS_NS

@@ -35,15 +35,7 @@ using cohesion::Vector3;
 static constexpr int LAYOUT = 3;  // of settings and Parameters in restart files
 
 PairHamaker::PairHamaker(LAMMPS* lammps)
-    : Pair(lammps),
-      surface_cutoff(0.0),
-      outer_cutoff(0.0),
-      form(hamaker::forms.data()),
-      hamaker_constant(nullptr),
-      parameters(lammps),
-      needs_list(true),
-      warned(false),
-      watch(lammps) {
+    : Pair(lammps), form(hamaker::forms.data()), parameters(lammps), watch(lammps) {
   single_enable = 1;
   restartinfo = 1;
   writedata = 1;

@@ -61,16 +61,16 @@ class PairHamaker : public Pair, public BoundPairs {
   void check_parameters(const std::string& where, const Parameters&);
   static void write_coefficients(FILE*, const Parameters&);
 
-  double surface_cutoff;  // default of pair_coeff
-  double outer_cutoff;    // default of pair_coeff
+  double surface_cutoff = 0.0;  // default of pair_coeff
+  double outer_cutoff = 0.0;    // default of pair_coeff
   const cohesion::hamaker::Form* form;
-  double** hamaker_constant;  // by type pair; fix adapt writes it
+  double** hamaker_constant = nullptr;  // by type pair; fix adapt writes it
   TypePairTable<Parameters> parameters;
   cohesion::hamaker::AnyLaws laws;  // by type pair, built at init
   std::vector<bool> prepared;       // by type pair: whether it is this style's in this run
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
-  bool needs_list;                                      // whether any pair is looked at in this run
-  bool warned;                                          // of numbers without keywords
+  bool needs_list = true;                               // whether any pair is looked at in this run
+  bool warned = false;                                  // of numbers without keywords
   LammpsWatch watch;
   cohesion::advice::WarningFilter advice_filter;
 };

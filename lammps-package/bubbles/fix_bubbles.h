@@ -63,11 +63,11 @@ class FixBubbles : public Fix {
   std::optional<cohesion::bubbles::Nozzles> nozzles;
   cohesion::bubbles::BubbleTotals totals;
   std::map<long, double> resting;  // until when bubbles do not merge, by ID
-  double elapsed;                  // time since the fix was defined, of all runs
-  long next_id;                    // -1: not known yet
+  double elapsed = 0.0;            // time since the fix was defined, of all runs
+  long next_id = -1;               // -1: not known yet
   bigint last_step;                // at which events were looked for, or the fix began
-  int type;
-  class FixGasCoupling* coupling;  // null without
+  int type = 1;
+  class FixGasCoupling* coupling = nullptr;  // null without
 };
 
 }  // namespace LAMMPS_NS

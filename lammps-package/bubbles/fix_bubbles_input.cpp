@@ -14,11 +14,7 @@ using namespace LAMMPS_NS;
 FixBubbles::FixBubbles(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       where(std::string("fix ") + id + " bubbles"),
-      elapsed(0.0),
-      next_id(-1),
-      last_step(update->ntimestep),
-      type(1),
-      coupling(nullptr) {
+      last_step(update->ntimestep) {
   if (narg < 4) stop(lmp, FLERR, where, " takes 'N', every so many steps, and keywords");
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
   if (nevery < 1) stop(lmp, FLERR, where, ": N is ", nevery, "; it must be 1 or more");

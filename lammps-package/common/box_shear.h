@@ -13,6 +13,7 @@
 #include "domain.h"
 #include "lammps.h"
 #include "shear/nonaffine_displacements.h"
+#include "vector3.h"
 
 // The shear of the engine's box, where particles that leave it through a sheared face change their
 // velocity; without that the box may be deformed, but its images do not shear.
@@ -53,14 +54,6 @@ inline double fastest_of(const Atom* atom, const Domain* domain, int count) {
   return std::sqrt(squared);
 }
 
-/// The speed of the fastest of the particles of all ranks.
-inline double fastest_particle(const LAMMPS* lmp) {
-  const double mine = fastest_of(lmp->atom, lmp->domain, lmp->atom->nlocal);
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
-  return all;
-}
-
 /// The shear of the box from the time when a list of neighbours was made to a time `ago` [time]
 /// before now.
 inline cohesion::shear::BoxShear shear_since(const cohesion::shear::NonaffineDisplacements& list,
@@ -85,6 +78,16 @@ inline bool in_box(Domain* domain, double* x, double boxes = 0.0) {
   return true;
 }
 
+/// Boxes along each axis that a particle has crossed between two image flags. The difference is
+/// taken modulo the range of image flags, which overflow.
+inline cohesion::Vector3 boxes_between(imageint now, imageint before) {
+  const auto along = [&](int shift) {
+    const imageint difference = (now >> shift & IMGMASK) - (before >> shift & IMGMASK);
+    return static_cast<double>(((difference + IMGMAX) & IMGMASK) - IMGMAX);
+  };
+  return {along(0), along(IMGBITS), along(IMG2BITS)};
+}
+
 /// Wraps own particles outside the box into it, with the velocity of the image that they become, as
 /// the engine does when it makes lists: for restart files the engine wraps them with the velocity
 /// that they have. All others stay as they are, to the last digit, and those at most `boxes`
@@ -96,17 +99,11 @@ inline void wrap_into_box(Atom* atom, Domain* domain, double boxes = 0.0) {
     const imageint before = atom->image[i];
     domain->remap(atom->x[i], atom->image[i]);
     if (!domain->deform_vremap || !(atom->mask[i] & domain->deform_groupbit)) continue;
-    const auto gone = [&](int shift) {
-      const auto of = [shift](imageint image) {
-        return static_cast<double>(image >> shift & IMGMASK);
-      };
-      return of(atom->image[i]) - of(before);
-    };
-    const double along[3] = {gone(0), gone(IMGBITS), gone(IMG2BITS)};
+    const cohesion::Vector3 crossed = boxes_between(atom->image[i], before);
     double* const v = atom->v[i];
-    v[0] -= rate[0] * along[0] + rate[5] * along[1] + rate[4] * along[2];
-    v[1] -= rate[1] * along[1] + rate[3] * along[2];
-    v[2] -= rate[2] * along[2];
+    v[0] -= rate[0] * crossed.x + rate[5] * crossed.y + rate[4] * crossed.z;
+    v[1] -= rate[1] * crossed.y + rate[3] * crossed.z;
+    v[2] -= rate[2] * crossed.z;
   }
 }
 
@@ -140,19 +137,13 @@ class ScopedUnwrap {
   void unwrap(const Domain* domain, int i, imageint listed) {
     double* const x = atom_->x[i];
     moved_.push_back({i, {x[0], x[1], x[2]}, atom_->v[i][0]});
-    const auto boxes = [&](int shift) {
-      const auto of = [shift](imageint image) {
-        return static_cast<double>(image >> shift & IMGMASK);
-      };
-      return of(atom_->image[i]) - of(listed);
-    };
-    const double along[3] = {boxes(0), boxes(IMGBITS), boxes(IMG2BITS)};
+    const cohesion::Vector3 boxes = boxes_between(atom_->image[i], listed);
     const double* const h = domain->h;
-    x[0] += h[0] * along[0] + h[5] * along[1] + h[4] * along[2];
-    x[1] += h[1] * along[1] + h[3] * along[2];
-    x[2] += h[2] * along[2];
+    x[0] += h[0] * boxes.x + h[5] * boxes.y + h[4] * boxes.z;
+    x[1] += h[1] * boxes.y + h[3] * boxes.z;
+    x[2] += h[2] * boxes.z;
     if (domain->deform_vremap && (atom_->mask[i] & domain->deform_groupbit))
-      atom_->v[i][0] += along[1] * domain->h_rate[5];
+      atom_->v[i][0] += boxes.y * domain->h_rate[5];
   }
 
   Atom* atom_;

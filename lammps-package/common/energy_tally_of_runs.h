@@ -30,34 +30,6 @@ inline void require_fixed_box(LAMMPS* lmp, const std::string& where) {
   }
 }
 
-/// A compute of an energy tally, which goes on whether anybody asks for it or not.
-class EnergyTallyCompute {
- public:
-  /// What a run begins with is known, and nothing has moved.
-  virtual void begin_run() = 0;
-  virtual void end_run() = 0;
-
- protected:
-  ~EnergyTallyCompute() = default;
-};
-
-/// Calls what(compute) for each there is.
-template <class What>
-void for_each_energy_tally(const Modify* modify, What what) {
-  for (int k = 0; k < modify->ncompute; k++)
-    if (auto* const compute = dynamic_cast<EnergyTallyCompute*>(modify->compute[k])) what(*compute);
-}
-
-/// Whether an output reads one of them in this step. Outputs request that from the engine in
-/// advance.
-inline bool reads_energy_tally(const Modify* modify, bigint step) {
-  for (int k = 0; k < modify->ncompute; k++) {
-    Compute* const compute = modify->compute[k];
-    if (dynamic_cast<EnergyTallyCompute*>(compute) && compute->matchstep(step)) return true;
-  }
-  return false;
-}
-
 /// Stops when a tally is read in a step without stored energies.
 inline void require_read(LAMMPS* lmp, const std::string& where, bool is_read) {
   if (!is_read)
@@ -127,6 +99,84 @@ class TallyOfRuns {
   bool begun_ = false;
   bool warned_ = false;
 };
+
+/// compute gran/energy of both engines: an energy tally, which goes on whether anybody asks for it
+/// or not.
+class EnergyTallyCompute : public engine_api::StyleCompute {
+ public:
+  EnergyTallyCompute(LAMMPS* lammps, int narg, char** arg)
+      : engine_api::StyleCompute(lammps, narg, arg),
+        where(std::string("compute ") + id + " gran/energy") {
+    if (narg != 3) stop(lmp, FLERR, where, " takes no further arguments; '", arg[3], "' was given");
+    if (igroup != 0)
+      stop(lmp, FLERR, where, " balances all particles; its group must be 'all', not '", arg[1],
+           "'");
+    scalar_flag = vector_flag = timeflag = 1;
+    extscalar = extvector = 1;
+    size_vector = cohesion::energy_tally::ENTRIES;
+    vector = new double[size_vector];
+  }
+  ~EnergyTallyCompute() override { delete[] vector; }
+
+  void init() override { require_fixed_box(lmp, where); }
+  void compute_vector() override {
+    invoked_vector = update->ntimestep;
+    require_read(lmp, where, is_read());
+    sum();
+    tally_.update(lmp, where, vector);
+  }
+  /// Kinetic and stored energy.
+  double compute_scalar() override {
+    if (invoked_vector != update->ntimestep) compute_vector();
+    invoked_scalar = update->ntimestep;
+    return scalar = cohesion::energy_tally::stored(vector);
+  }
+  /// What a run begins with is known, and nothing has moved.
+  virtual void begin_run() {
+    sum();
+    tally_.begin_run(lmp, where, vector);
+  }
+  void end_run() {
+    sum();
+    tally_.end_run(vector);
+  }
+
+ protected:
+  const std::string where;
+
+ private:
+  /// Whether stored energies are known in this step.
+  virtual bool is_read() = 0;
+  /// Adds what this rank has: all entries but what is missing.
+  virtual void add_to(double* entries) = 0;
+
+  void sum() {
+    particles_.check(lmp, where);
+    double mine[cohesion::energy_tally::ENTRIES] = {};
+    add_to(mine);
+    MPI_Allreduce(mine, vector, size_vector, MPI_DOUBLE, MPI_SUM, world);
+  }
+
+  TallyOfRuns tally_;
+  SameParticles particles_;
+};
+
+/// Calls what(compute) for each there is.
+template <class What>
+void for_each_energy_tally(const Modify* modify, What what) {
+  for (int k = 0; k < modify->ncompute; k++)
+    if (auto* const compute = dynamic_cast<EnergyTallyCompute*>(modify->compute[k])) what(*compute);
+}
+
+/// Whether an output reads one of them in this step. Outputs request that from the engine in
+/// advance.
+inline bool reads_energy_tally(const Modify* modify, bigint step) {
+  for (int k = 0; k < modify->ncompute; k++) {
+    Compute* const compute = modify->compute[k];
+    if (dynamic_cast<EnergyTallyCompute*>(compute) && compute->matchstep(step)) return true;
+  }
+  return false;
+}
 
 }  // namespace LAMMPS_NS
 

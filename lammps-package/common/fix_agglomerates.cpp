@@ -22,22 +22,7 @@ using namespace cohesion::agglomerates;
 using cohesion::Vector3;
 
 FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
-    : engine_api::StyleFix(lammps, narg, arg),
-      label(nullptr),
-      position(nullptr),
-      of_each(nullptr),
-      since(nullptr),
-      held_only(false),
-      distribution(20),
-      last_step(-1),
-      last_look(-1),
-      number(0.0),
-      particles(0.0),
-      largest(0.0),
-      group_size(0.0),
-      gyration(0.0),
-      unfolded(0.0),
-      wrapping(0.0) {
+    : engine_api::StyleFix(lammps, narg, arg), distribution(20) {
   const std::string where = std::string("fix ") + id + " agglomerates";
   if (narg < 4) stop(lmp, FLERR, where, " takes 'N', every so many steps");
   nevery = engine_api::inumeric(FLERR, arg[3], lmp);

@@ -77,21 +77,22 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
   std::vector<int> set_fragment;  // index of the fragment of a set with own particles, by its root
   std::vector<cohesion::Vector3> set_shift;  // from a position in the box to the unfolded one
 
-  double* label;                              // per atom and ghost
-  double** position;                          // per atom and ghost: unfolded
-  double** of_each;                           // per atom: agglomerate, its size, radius of gyration
-  cohesion::agglomerates::Membership* since;  // per atom
+  double* label = nullptr;      // per atom and ghost
+  double** position = nullptr;  // per atom and ghost: unfolded
+  double** of_each = nullptr;   // per atom: agglomerate, its size, radius of gyration
+  cohesion::agglomerates::Membership* since = nullptr;  // per atom
 
-  bool held_only;  // partners are pairs that would not part by themselves
+  bool held_only = false;  // partners are pairs that would not part by themselves
   cohesion::agglomerates::SizeDistribution distribution;
   struct FragmentTotals {
     double time = 0.0;  // since the fix was defined
     cohesion::agglomerates::TimeWeightedSize size;
     double durations = 0.0, finished = 0.0;
   } totals;
-  bigint last_step;  // the last sample; -1: none yet
-  bigint last_look;  // the step for which particles know their agglomerate
-  double number, particles, largest, group_size, gyration, unfolded, wrapping;
+  bigint last_step = -1;  // the last sample; -1: none yet
+  bigint last_look = -1;  // the step for which particles know their agglomerate
+  double number = 0.0, particles = 0.0, largest = 0.0, group_size = 0.0, gyration = 0.0,
+         unfolded = 0.0, wrapping = 0.0;
 };
 
 }  // namespace LAMMPS_NS

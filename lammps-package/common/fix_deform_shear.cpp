@@ -53,19 +53,7 @@ ImageShift shift_of(double start_tilt, double height, double length) {
 
 FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
     : engine_api::BoxFix(lammps, EngineArguments::count,
-                         EngineArguments(lammps, arg).pointers.data()),
-      constant_rate(0.0),
-      rate_variable(-1),
-      profile(true),
-      nonaffine_rebuild(true),
-      state(),
-      lengths(0.0),
-      tilt_after_flip(0.0),
-      flipped_lengths(0),
-      list_step(-1),
-      engine_delay(0),
-      engine_every(0),
-      checks_suspended(false) {
+                         EngineArguments(lammps, arg).pointers.data()) {
   read_keywords(narg, arg);
   const std::string where = std::string("fix ") + id + " deform/shear";
   if (igroup != 0)

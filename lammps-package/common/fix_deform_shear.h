@@ -54,27 +54,27 @@ class FixDeformShear : public engine_api::BoxFix {
   void tilt_box(double);
   bool list_may_miss_a_pair() const;
 
-  double constant_rate;
+  double constant_rate = 0.0;
   std::string rate_name;  // of a variable; empty: the rate is the number
-  int rate_variable;
-  bool profile;            // whether to add the linear profile to the velocities when shear begins
-  bool nonaffine_rebuild;  // whether the nonaffine displacements decide when lists are made
+  int rate_variable = -1;
+  bool profile = true;  // whether to add the linear profile to the velocities when shear begins
+  bool nonaffine_rebuild = true;  // whether the nonaffine displacements decide when lists are made
 
   struct ShearState {
     cohesion::shear::BoxStrain strain;
     double next_rate;  // from the end of the step on
     double start_tilt, ly, lx;
     int begun;
-  } state;
-  double lengths;  // whole box lengths that the tilt was counted back by
-  double tilt_after_flip;
-  int flipped_lengths;  // by the flip that is due; 0: none is
+  } state = {};
+  double lengths = 0.0;  // whole box lengths that the tilt was counted back by
+  double tilt_after_flip = 0.0;
+  int flipped_lengths = 0;  // by the flip that is due; 0: none is
 
   // Of the own particles since the list was made.
   cohesion::shear::NonaffineDisplacements displacements;
-  bigint list_step;
-  int engine_delay, engine_every;  // of neigh_modify, while checks_suspended
-  bool checks_suspended;           // the engine's checks of the list, which this fix makes instead
+  bigint list_step = -1;
+  int engine_delay = 0, engine_every = 0;  // of neigh_modify, while checks_suspended
+  bool checks_suspended = false;  // the engine's checks of the list, which this fix makes instead
 };
 
 }  // namespace LAMMPS_NS

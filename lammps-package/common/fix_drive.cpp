@@ -26,12 +26,7 @@ using cohesion::driving::Sums;
 using cohesion::driving::VelocityChange;
 
 FixDrive::FixDrive(LAMMPS* lammps, int narg, char** arg)
-    : engine_api::StyleFix(lammps, narg, arg),
-      where(std::string("fix ") + id + " drive"),
-      temperature(0.0),
-      kicks(false),
-      seed(0),
-      is_restarted(false) {
+    : engine_api::StyleFix(lammps, narg, arg), where(std::string("fix ") + id + " drive") {
   if (narg < 4) stop(lmp, FLERR, where, " takes 'N', every so many steps, and 'temperature T'");
   nevery = engine_api::inumeric(FLERR, arg[3], lmp);
   if (nevery < 1) stop(lmp, FLERR, where, ": N is ", nevery, "; it must be 1 or more");

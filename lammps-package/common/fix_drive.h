@@ -41,9 +41,9 @@ class FixDrive : public engine_api::StyleFix {
   void apply(const cohesion::driving::VelocityChange&);
 
   std::string where;
-  double temperature;
-  bool kicks;  // by random accelerations; else by scaling
-  int seed;
+  double temperature = 0.0;
+  bool kicks = false;  // by random accelerations; else by scaling
+  int seed = 0;
 
   struct DriveState {
     double energy = 0.0;     // put in so far, [mass velocity^2]
@@ -53,7 +53,7 @@ class FixDrive : public engine_api::StyleFix {
     double now = 0.0;        // granular temperature at `step`
     double step = 0.0;       // up to which over_time is known
   } state;
-  bool is_restarted;
+  bool is_restarted = false;
 };
 
 }  // namespace LAMMPS_NS

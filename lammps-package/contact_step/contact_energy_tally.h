@@ -15,7 +15,7 @@ namespace LAMMPS_NS {
 /// up losses and work as long as it has readers, who subtract the sums of the time before. What is
 /// stored is evaluated at the time levels that an output reads and in steps that a later run may
 /// continue from.
-class ContactEnergyTally {
+class ContactEnergyTally : public cohesion::contact_solver::EnergySums {
  public:
   using Reader = std::shared_ptr<const void>;
 
@@ -25,7 +25,6 @@ class ContactEnergyTally {
   bool is_active() const { return active_; }
   /// Whether stored energies are evaluated in this step.
   bool is_read() const { return read_; }
-  const cohesion::contact_solver::EnergySums& sums() const { return sums_; }
 
   /// Sets whether it is active in this step. `read`: by an output, or by a later run.
   void update_readers(bool may_be_continued, bool read) {
@@ -35,34 +34,20 @@ class ContactEnergyTally {
   /// Begins a new time level: losses after the last one are losses before this one.
   void begin_step(int particles) {
     if (!active_) return;
-    sums_.begin_step();
+    EnergySums::begin_step();
     friction_.assign(particles, {});
-  }
-  /// As those of EnergySums.
-  void reset_normal() { sums_.reset_normal(); }
-  void store_normal(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
-    sums_.store_normal(fraction, stored);
   }
   /// Adds what a contact loses, and in a step that is read what it stores, `fraction` of it.
   void add(double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
-    if (read_) sums_.store(fraction, energies.stored);
-    sums_.lose(fraction, energies);
-  }
-  /// Adds what a contact stores.
-  void store(double fraction, const cohesion::contact_solver::StoredEnergies& stored) {
-    sums_.store(fraction, stored);
-  }
-  /// Adds what a contact loses that has been persistent and stays so.
-  [[gnu::always_inline]] void lose_persistent(
-      double fraction, const cohesion::contact_solver::ContactEnergies& energies) {
-    sums_.lose_persistent(fraction, energies);
+    if (read_) store(fraction, energies.stored);
+    lose(fraction, energies);
   }
   /// Adds work of moving walls, or of friction on them, in the step around the time level.
   void add_work(double done) {
-    if (active_) sums_.external.add(0.5 * done, 0.5 * done);
+    if (active_) external.add(0.5 * done, 0.5 * done);
   }
   void add_friction_work(double done) {
-    if (active_) sums_.friction.add(0.5 * done, 0.5 * done);
+    if (active_) friction.add(0.5 * done, 0.5 * done);
   }
   /// Adds an impulse of sliding friction on particle j of this process, or on i by the reverse.
   [[gnu::always_inline]] void add_friction(std::ptrdiff_t j, const cohesion::Vector3& impulse) {
@@ -73,43 +58,30 @@ class ContactEnergyTally {
     friction_[i] -= impulse;
   }
   /// The sum of those, [momentum].
-  const cohesion::Vector3& friction(int i) const { return friction_[i]; }
-
-  /// The work of friction on all that it acts on.
-  cohesion::contact_solver::WorkOfForces& friction_work() { return sums_.friction; }
-  /// Add what acts on a particle: EnergySums.
-  void add_external_work(const cohesion::contact_solver::ForcesAtLevel& forces,
-                         const cohesion::contact_solver::Passage& passage) {
-    sums_.add_external_work(forces, passage);
-  }
-  void store_motion(const cohesion::contact_solver::ForcesAtLevel& forces, double inverse_mass,
-                    double inverse_inertia, double half) {
-    sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
-  }
+  const cohesion::Vector3& friction_on(int i) const { return friction_[i]; }
 
   /// The numbers with which a later run continues, as restart files have them; the last is 0.
   using Totals = std::array<double, 10>;
   Totals totals() const {
-    const cohesion::contact_solver::ContactLosses& lost = sums_.lost_later();
-    return {sums_.stored().tangential_spring,
-            sums_.stored().rolling_spring,
+    const cohesion::contact_solver::ContactLosses& lost = lost_later();
+    return {stored().tangential_spring,
+            stored().rolling_spring,
             lost.normal_damping,
             lost.tangential_damping,
             lost.rolling,
-            sums_.friction.later(),
-            sums_.external.later(),
-            sums_.stored().load + sums_.motion(),
-            sums_.exchanged()};
+            friction.later(),
+            external.later(),
+            stored().load + motion(),
+            exchanged()};
   }
   void restore_totals(const Totals& all) {
-    sums_.restore({0.0, all[0], all[1], 0.0, all[7]}, {all[2], all[3], all[4]}, all[8]);
-    sums_.friction.restore_later(all[5]);
-    sums_.external.restore_later(all[6]);
+    restore({0.0, all[0], all[1], 0.0, all[7]}, {all[2], all[3], all[4]}, all[8]);
+    friction.restore_later(all[5]);
+    external.restore_later(all[6]);
   }
 
  private:
   bool active_ = false, read_ = false;
-  cohesion::contact_solver::EnergySums sums_;
   std::vector<cohesion::Vector3> friction_;  // on each particle, [momentum]
   Reader readers_ = std::make_shared<char>();
 };

@@ -205,21 +205,23 @@ class FixContactStep : public Fix {
   std::vector<SoftContactStyle*> styles;  // those of this run
   std::unique_ptr<ContactWatch<LammpsRun> > watch;
 
-  char* forwarded_flags;     // per atom and ghost: whether it has values to forward
-  double* forwarded_values;  // of particle 0; `values_each` per particle, one after the other
-  int values_each;
-  bool may_have_contacts;  // whether any style may have one in this run
-  bool idle;               // no contact can act, and no output reads any
-  bool resuming;
-  bool starting;
-  bool running;
-  bool tallies_begun;  // energy balances, in this run
-  bool tally_unknown;  // last_tally_unknown()
-  bool warned_of_unturned, warned_of_held, warned_of_partly_held, warned_of_added_contacts;
+  char* forwarded_flags = nullptr;  // per atom and ghost: whether it has values to forward
+  // Of particle 0; `values_each` per particle, one after the other
+  double* forwarded_values = nullptr;
+  int values_each = 0;
+  bool may_have_contacts = true;  // whether any style may have one in this run
+  bool idle = false;              // no contact can act, and no output reads any
+  bool resuming = false;
+  bool starting = false;
+  bool running = false;
+  bool tallies_begun = false;  // energy balances, in this run
+  bool tally_unknown = false;  // last_tally_unknown()
+  bool warned_of_unturned = false, warned_of_held = false, warned_of_partly_held = false,
+       warned_of_added_contacts = false;
   bool warned_of_unmoved = false;
   std::set<std::string> warned_of_walls;  // texts of the warnings so far
   std::unique_ptr<AlteredParticles> altered;
-  double forces_dt;                   // forces_length(); 0 before the first step
+  double forces_dt = 0.0;             // forces_length(); 0 before the first step
   AtomNumbers last;                   // between two runs: save_last()
   double last_dt = 0.0;               // last_length()
   AtomNumbers accelerations;          // of atoms and ghosts, by the forces of the last step
@@ -231,14 +233,14 @@ class FixContactStep : public Fix {
   bool any_dynamic_group = false;        // whether fixes move or freeze such a group
   bool others_act = true;            // whether other forces than those of contacts and gravity act
   std::vector<char> flagged;         // storage of forwarded_flags
-  double* inverse_mass;              // per atom and ghost
+  double* inverse_mass = nullptr;    // per atom and ghost
   std::vector<double> known_masses;  // inverse_mass belongs to these; empty: not computed yet
   std::vector<double> known_radii;   // radii_version belongs to these
   long radii_version = 0;
-  double longest_flight;
-  double unresolved;                        // contacts not resolved to the end of a step, this run
+  double longest_flight = 0.0;
+  double unresolved = 0.0;                  // contacts not resolved to the end of a step, this run
   ContactEnergyTally::Reader flux_readers;  // its use count is the number of readers
-  bool flux_wanted;
+  bool flux_wanted = false;
   std::unique_ptr<MobileParticles> mobile;
 };
 

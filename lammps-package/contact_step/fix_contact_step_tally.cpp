@@ -55,10 +55,10 @@ void FixContactStep::tally_work(bool starts) {
   for (int i = 0; i < atom->nlocal; i++) {
     if (inverse_mass[i] == 0.0) continue;
     const ForcesAtLevel forces{vector(atom->f[i]),      impulses.force(i),
-                               vector(&weight[3 * i]),  kick * energy_tally.friction(i),
+                               vector(&weight[3 * i]),  kick * energy_tally.friction_on(i),
                                vector(atom->torque[i]), impulses.torque(i)};
     const Passage passage = reads ? passage_of(i, starts, half) : short_passage_of(i, half);
-    energy_tally.friction_work().add(forces.friction, forces.of_contacts_torque, passage);
+    energy_tally.friction.add(forces.friction, forces.of_contacts_torque, passage);
     if (others_act) energy_tally.add_external_work(forces, passage);
     if (reads && !starts)
       energy_tally.store_motion(forces, inverse_mass[i],
@@ -71,8 +71,8 @@ void FixContactStep::tally_friction() {
   const double half = 0.5 * forces_dt, kick = impulses.kick();
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      energy_tally.friction_work().add(kick * energy_tally.friction(i), vector(atom->torque[i]),
-                                       short_passage_of(i, half));
+      energy_tally.friction.add(kick * energy_tally.friction_on(i), vector(atom->torque[i]),
+                                short_passage_of(i, half));
 }
 
 Passage FixContactStep::passage_of(int i, bool starts, double half) const {

@@ -51,7 +51,6 @@ class RegionFaces {
   /// Whether a centre is in front of the region and farther than `reach` from all its faces.
   bool is_far(const cohesion::Vector3& centre, const WallState& now, double reach) const;
 
-  /// The motion of the wall at `point` relative to a particle, as Wall::relative_motion(). The
   /// The motion of the wall at `point` relative to a particle, as Wall::relative_motion(), with the
   /// turn of the normal from the last step to this one.
   RelativeWallMotion relative_motion(const cohesion::Vector3& centre,

@@ -31,18 +31,7 @@ static constexpr int OWNER_SIZE = 2;
 static constexpr int STEPS_BETWEEN_RESETS = 100;
 
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg),
-      pair_(nullptr),
-      time_warp_(lammps, simulation_),
-      particle_data_(nullptr),
-      owners_(nullptr),
-      reset_in_next_step_(true),
-      position_tolerance_(0.0),
-      time_origin_lifetime_(0.0),
-      steps_since_reset_(0),
-      farthest_squared_(0.0),
-      needs_ghosts_(false),
-      warned_(false) {
+    : Fix(lammps, narg, arg), time_warp_(lammps, simulation_) {
   comm_forward = OWNER_SIZE;
   create_attribute = 1;
   restart_pbc = 1;

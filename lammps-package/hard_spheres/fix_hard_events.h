@@ -170,30 +170,30 @@ class FixHardEvents : public Fix {
   void apply_new_tags(PairsByTag&);
   PairsByTag gather_pairs(const PairsByTag& mine) const;
 
-  class PairHardSquareWell* pair_;
+  class PairHardSquareWell* pair_ = nullptr;
   std::vector<HardWallSource*> walls_;
   MobileParticles mobile_;
 
   // Bodies: the own particles, then the remote ones.
   cohesion::hard_sphere::TimeWarp simulation_;
   HardEventTimeWarp time_warp_;
-  double** particle_data_;                      // per particle, see DataColumn
-  double** owners_;                             // per particle and ghost: process, and index on it
+  double** particle_data_ = nullptr;            // per particle, see DataColumn
+  double** owners_ = nullptr;                   // per particle and ghost: process, and index on it
   std::vector<std::uint32_t> stored_versions_;  // versions of the flights in particle_data_
   std::vector<char>
       crossed_boundary_;  // whether own particles have a boxes_crossed() that is not zero
   // Bodies whose flights, spins or speed increments the engine has changed in this step
   std::vector<HardEventTimeWarp::ChangedBody> changed_bodies_;
-  PairsByTag bound_at_edge_;     // argument of set_up()
-  bool reset_in_next_step_;      // whether to reset the simulation time
-  double position_tolerance_;    // round-off of positions, [length]
-  double time_origin_lifetime_;  // until the next shift of the time origin, [time]
-  int steps_since_reset_;        // steps since the last reset of the simulation time
+  PairsByTag bound_at_edge_;           // argument of set_up()
+  bool reset_in_next_step_ = true;     // whether to reset the simulation time
+  double position_tolerance_ = 0.0;    // round-off of positions, [length]
+  double time_origin_lifetime_ = 0.0;  // until the next shift of the time origin, [time]
+  int steps_since_reset_ = 0;          // steps since the last reset of the simulation time
   // Of own particles since the last neighbour list
   cohesion::shear::NonaffineDisplacements displacements_;
-  double farthest_squared_;  // square of the largest of displacements_
-  bool needs_ghosts_;        // whether partners have to be among the ghosts of the last list
-  bool warned_;
+  double farthest_squared_ = 0.0;  // square of the largest of displacements_
+  bool needs_ghosts_ = false;      // whether partners have to be among the ghosts of the last list
+  bool warned_ = false;
   HardEventTotals totals_;
   std::unique_ptr<HardEventRecord> record_;
 };

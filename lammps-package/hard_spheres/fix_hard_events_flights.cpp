@@ -29,11 +29,6 @@ static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 // It shifts by one box at most; half a box leaves a margin for round-off.
 static constexpr double WRAPPED_BY_ENGINE = 0.5;
 
-/// The image flag of an axis, as stored bits.
-static imageint flag(imageint image, int axis) {
-  return (image >> (axis == 0 ? 0 : axis == 1 ? IMGBITS : IMG2BITS)) & IMGMASK;
-}
-
 static PeriodicBox::Edges edges(const double* h) { return {h[0], h[1], h[2], h[3], h[4], h[5]}; }
 
 static PeriodicBox::Edges rates(const Domain* domain) {
@@ -116,16 +111,11 @@ void FixHardEvents::restore_clamped_positions() {
 }
 
 /// Number of boxes along each axis by which a particle has left the box since the last reset of the
-/// simulation time. The difference is taken modulo the range of image flags, which overflow.
+/// simulation time.
 Vector3 FixHardEvents::boxes_crossed(int i) const {
   const auto before = static_cast<imageint>(ubuf(particle_data_[i][IMAGE]).i);
   const imageint now = atom->image[i];
-  if (now == before) return {};
-  const auto crossed = [&](int axis) {
-    const imageint difference = flag(now, axis) - flag(before, axis);
-    return static_cast<double>(((difference + IMGMAX) & IMGMASK) - IMGMAX);
-  };
-  return {crossed(0), crossed(1), crossed(2)};
+  return now == before ? Vector3{} : boxes_between(now, before);
 }
 
 void FixHardEvents::store_image_flags(int i) { particle_data_[i][IMAGE] = ubuf(atom->image[i]).d; }

@@ -24,7 +24,8 @@ double WallsFromScript::number(const char* text) const {
 
 int WallsFromScript::read(int narg, char** arg) {
   const std::string word = arg[0];
-  if (const int wall = read_wall(word, narg - 1, arg + 1)) return wall;
+  if (const int planes = read_planes(narg, arg)) return planes;
+  if (word == "zcylinder") return read_cylinder(narg - 1, arg + 1);
   if (word == "region") {
     read_region(narg - 1, arg + 1);
     return 2;
@@ -99,36 +100,37 @@ void WallsFromScript::read_motion(char** words) {
   }
 }
 
-/// Returns the number of words that belong to a wall; 0 when `word` is none.
-int WallsFromScript::read_wall(const std::string& word, int narg, char** arg) {
-  if (word == "zcylinder") {
-    if (narg < 1) lmp_->error->all(FLERR, where_ + ": zcylinder takes a radius");
-    const double radius = number(arg[0]);
-    if (!(std::isfinite(radius) && radius > 0.0))
-      lmp_->error->all(FLERR, where_ + ": zcylinder radius " + arg[0] +
-                                  " must be a finite number greater than zero");
-    if (lmp_->domain->periodicity[0] || lmp_->domain->periodicity[1])
-      lmp_->error->all(FLERR, where_ +
-                                  ": no zcylinder in a periodic direction; use 'boundary f f' in x "
-                                  "and y");
-    walls.push_back({Wall::z_cylinder, 1.0, radius});
-    return 2;
-  }
+int WallsFromScript::read_cylinder(int narg, char** arg) {
+  if (narg < 1) lmp_->error->all(FLERR, where_ + ": zcylinder takes a radius");
+  const double radius = number(arg[0]);
+  if (!(std::isfinite(radius) && radius > 0.0))
+    lmp_->error->all(FLERR, where_ + ": zcylinder radius " + arg[0] +
+                                " must be a finite number greater than zero");
+  if (lmp_->domain->periodicity[0] || lmp_->domain->periodicity[1])
+    lmp_->error->all(FLERR, where_ +
+                                ": no zcylinder in a periodic direction; use 'boundary f f' in x "
+                                "and y");
+  walls.push_back({Wall::z_cylinder, 1.0, radius});
+  return 2;
+}
+
+int WallsFromScript::read_planes(int narg, char** arg) {
+  const std::string word = arg[0];
   if (word != "xplane" && word != "yplane" && word != "zplane") return 0;
-  if (narg < 2)
+  if (narg < 3)
     lmp_->error->all(FLERR, where_ + ": " + word + " takes two positions, NULL for no wall");
   const int dimension = word[0] - 'x';
   if (lmp_->domain->periodicity[dimension])
     lmp_->error->all(FLERR,
                      where_ + ": no " + word + " in a periodic direction; use 'boundary f' there");
-  const bool lower = strcmp(arg[0], "NULL") != 0, upper = strcmp(arg[1], "NULL") != 0;
+  const bool lower = strcmp(arg[1], "NULL") != 0, upper = strcmp(arg[2], "NULL") != 0;
   if (!lower && !upper)
     lmp_->error->all(FLERR, where_ + ": " + word + " NULL NULL is no wall; give a position");
-  if (lower) add_plane(dimension, 1.0, word, arg[0]);
-  if (upper) add_plane(dimension, -1.0, word, arg[1]);
+  if (lower) add_plane(dimension, 1.0, word, arg[1]);
+  if (upper) add_plane(dimension, -1.0, word, arg[2]);
   const auto count = walls.size();
   if (lower && upper && !(walls[count - 2].position < walls[count - 1].position))
-    lmp_->error->all(FLERR, where_ + ": " + word + " " + arg[0] + " " + arg[1] +
+    lmp_->error->all(FLERR, where_ + ": " + word + " " + arg[1] + " " + arg[2] +
                                 ": the first position must be below the second");
   return 3;
 }

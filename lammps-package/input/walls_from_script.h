@@ -29,6 +29,8 @@ class WallsFromScript {
   /// Reads the keyword arg[0] with its values; returns the number of words that belong to it, 0
   /// when it is none of these.
   int read(int narg, char** arg);
+  /// The same of a fix that has planes alone.
+  int read_planes(int narg, char** arg);
   /// Checks the walls and their motion, after the last keyword.
   void finish();
 
@@ -38,7 +40,7 @@ class WallsFromScript {
 
  private:
   double number(const char* text) const;
-  int read_wall(const std::string& word, int narg, char** arg);
+  int read_cylinder(int narg, char** arg);
   void read_motion(char** words);
   void read_region(int narg, char** arg);
   void add_plane(int dimension, double side, const std::string& word, const char* text);

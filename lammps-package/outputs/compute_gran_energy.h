@@ -11,32 +11,26 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 #include <memory>
 
 #include "common/energy_tally_of_runs.h"
-#include "compute.h"
 #include "energy_tally.h"
 
 namespace LAMMPS_NS {
 
 /// compute ID all gran/energy: the energy tally of contacts at the grid point, with the true
 /// motion there. Doc: docs/lammps-package/compute_gran_energy.md
-class ComputeGranEnergy : public Compute, public EnergyTallyCompute {
+class ComputeGranEnergy : public EnergyTallyCompute {
  public:
   ComputeGranEnergy(class LAMMPS*, int, char**);
-  ~ComputeGranEnergy() override;
 
   void init() override;
-  void compute_vector() override;
-  double compute_scalar() override;
   void begin_run() override;
-  void end_run() override;
 
  private:
-  void work_out();
+  bool is_read() override;
+  void add_to(double* entries) override;
 
   class FixContactStep* step;
   std::shared_ptr<const void> reader;              // keeps the tally of contacts active
   double before[cohesion::energy_tally::ENTRIES];  // what there was when this was defined
-  TallyOfRuns tally;
-  SameParticles particles;
 };
 
 }  // namespace LAMMPS_NS

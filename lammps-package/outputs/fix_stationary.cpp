@@ -40,19 +40,7 @@ constexpr TermRow TERMS[] = {{"mean", 1}, {"weighted", 2}, {"rate", 1}, {"ratio"
 }  // namespace
 
 FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg),
-      where(std::string("fix ") + id + " stationary"),
-      per_particle(false),
-      start(0.0),
-      block(0.0),
-      most(0),
-      has_sample(false),
-      progress(0.0),
-      last_progress(0.0),
-      time_since_sample(0.0),
-      counted_step(0),
-      state(watching),
-      ended_run(false) {
+    : Fix(lammps, narg, arg), where(std::string("fix ") + id + " stationary") {
   if (narg < 4) error->all(FLERR, where + ": give N, every so many steps, and keywords");
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
   if (nevery < 1) error->all(FLERR, where + ": N is {}; it must be 1 or more", nevery);

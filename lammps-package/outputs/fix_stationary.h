@@ -59,20 +59,21 @@ class FixStationary : public Fix {
 
   std::string where;
   std::string progress_value;
-  bool per_particle;
-  double start, block;
-  int most;  // blocks; 0: any number
+  bool per_particle = false;
+  double start = 0.0, block = 0.0;
+  int most = 0;  // blocks; 0: any number
   std::vector<Value> watched;
   std::unique_ptr<cohesion::statistics::BlockRule> rule;
 
-  bool has_sample;  // whether there was a sample, so that progress and totals have a last value
-  double progress;  // since the fix was defined
-  double last_progress;      // the value of `progress_value` at the last sample
-  double time_since_sample;  // time since the last sample, up to counted_step
-  bigint counted_step;
+  // Whether there was a sample, so that progress and totals have a last value
+  bool has_sample = false;
+  double progress = 0.0;           // since the fix was defined
+  double last_progress = 0.0;      // the value of `progress_value` at the last sample
+  double time_since_sample = 0.0;  // time since the last sample, up to counted_step
+  bigint counted_step = 0;
   enum { watching, met, given_up };
-  int state;
-  bool ended_run;  // whether this fix has, not the user's own `timer timeout`
+  int state = watching;
+  bool ended_run = false;  // whether this fix has, not the user's own `timer timeout`
 };
 
 }  // namespace LAMMPS_NS

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -52,7 +53,7 @@ inline constexpr double cutoff_steps_for_warning = 1.0;
 /// escape velocity where a force is sampled.
 inline constexpr double rounding_for_warning = 1.0 / 15.0;
 
-enum class Severity { ok, warning, error };
+enum class Severity { warning, error };
 
 /// What a finding is about.
 enum class Subject {
@@ -70,7 +71,7 @@ enum class Subject {
 struct Finding {
   Subject subject;
   Severity severity;
-  std::string sentence;  ///< the number, and what to change unless ok; in the user's units
+  std::string sentence;  ///< the number, and what to change; in the user's units
   /// Of an error, the step that the sentence names, [time]; infinity: none.
   double largest_step = std::numeric_limits<double>::infinity();
 };
@@ -102,14 +103,14 @@ inline double contact_steps_of(const ContactNumbers& n, const SchemeLimits& limi
 }
 
 /// The step that it names is at most steady_step [time].
-inline Finding contact_steps(const ContactNumbers& n, SchemeLimits limits, double steady_step) {
+inline std::optional<Finding> contact_steps(const ContactNumbers& n, SchemeLimits limits,
+                                            double steady_step) {
   const double steps = contact_steps_of(n, limits);
   if (!n.parameters().is_linear && !limits.samples_force) {
     limits.steps_for_warning = limits.integrated_for_warning;
     limits.steps_for_error = limits.integrated_for_error;
   }
-  const std::string sentence = text("a contact takes ", steps, " time steps");
-  if (steps >= limits.steps_for_warning) return {Subject::contact_steps, Severity::ok, sentence};
+  if (steps >= limits.steps_for_warning) return std::nullopt;
   // Half a contact time to the last digit is still half a contact time.
   const bool fatal = steps < (1.0 - 1e-6) * limits.steps_for_error;
   const std::string least = limits.steps_for_error > 0.0
@@ -117,18 +118,17 @@ inline Finding contact_steps(const ContactNumbers& n, SchemeLimits limits, doubl
                                 : "";
   const double named =
       named_step(std::min(n.parameters().dt * steps / limits.steps_for_warning, steady_step));
-  return {Subject::contact_steps, fatal ? Severity::error : Severity::warning,
-          sentence + text(", the ", limits.scheme, " scheme should have ", limits.steps_for_warning,
-                          least, ": reduce the time step to ", named, " or soften the spring"),
-          named};
+  return Finding{Subject::contact_steps, fatal ? Severity::error : Severity::warning,
+                 text("a contact takes ", steps, " time steps, the ", limits.scheme,
+                      " scheme should have ", limits.steps_for_warning, least,
+                      ": reduce the time step to ", named, " or soften the spring"),
+                 named};
 }
 
-inline Finding stability(const ContactNumbers& n) {
+inline std::optional<Finding> stability(const ContactNumbers& n) {
   const double dt = n.parameters().dt, limit = n.stable_step();
-  if (dt < limit)
-    return {Subject::stability, Severity::ok,
-            text("the time step is ", dt / limit, " of the largest stable one, ", limit)};
-  return {
+  if (dt < limit) return std::nullopt;
+  return Finding{
       Subject::stability, Severity::error,
       text("the time step ", dt, " makes contacts unstable: reduce it below ", named_step(limit)),
       limit};
@@ -143,63 +143,62 @@ inline double steady_step(const ContactNumbers& n, bool plane) {
 }
 
 /// Where a particle has several contacts, or will have. limit [time]: steady_step().
-inline Finding steadiness(const ContactNumbers& n, bool several, double limit) {
+inline std::optional<Finding> steadiness(const ContactNumbers& n, bool several, double limit) {
   const double dt = n.parameters().dt;
-  if (dt <= limit)
-    return {Subject::steadiness, Severity::ok,
-            text("the time step is ", dt / limit, " of the largest one for several contacts")};
-  return {Subject::steadiness, several ? Severity::error : Severity::warning,
-          text("the time step ", dt, " makes particles with several contacts ",
-               several ? "unstable, so that they gain energy without bound"
-                       : "unstable: the run stops where a particle has two neighbours",
-               ": reduce it to ", named_step(limit), ", or use less damping or softer springs"),
-          limit};
+  if (dt <= limit) return std::nullopt;
+  return Finding{
+      Subject::steadiness, several ? Severity::error : Severity::warning,
+      text("the time step ", dt, " makes particles with several contacts ",
+           several ? "unstable, so that they gain energy without bound"
+                   : "unstable: the run stops where a particle has two neighbours",
+           ": reduce it to ", named_step(limit), ", or use less damping or softer springs"),
+      limit};
 }
 
 /// The finding on a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut
 /// [length] in `steps` time steps.
-inline Finding cutoff_steps(double speed, double cutoff, double steps, const SchemeLimits& limits) {
-  const std::string sentence =
-      text("a pair at ", speed, " crosses the surface cut-off in ", steps, " time steps");
-  if (steps >= cutoff_steps_for_warning) return {Subject::cutoff_steps, Severity::ok, sentence};
-  return {Subject::cutoff_steps, Severity::warning,
-          sentence + text(", so that which pairs stick is left to chance: reduce the time step to ",
-                          named_step(cutoff / speed), " or ", limits.remedy)};
+inline std::optional<Finding> cutoff_steps(double speed, double cutoff, double steps,
+                                           const SchemeLimits& limits) {
+  if (steps >= cutoff_steps_for_warning) return std::nullopt;
+  return Finding{
+      Subject::cutoff_steps, Severity::warning,
+      text("a pair at ", speed, " crosses the surface cut-off in ", steps,
+           " time steps, so that which pairs stick is left to chance: reduce the time step to ",
+           named_step(cutoff / speed), " or ", limits.remedy)};
 }
 
 /// What 15 steps of a lightly damped contact leave open is allowed to the others, too.
-inline Finding escape_velocity(const ContactNumbers& n, const SchemeLimits& limits) {
+inline std::optional<Finding> escape_velocity(const ContactNumbers& n, const SchemeLimits& limits) {
   const double open = n.sampled_escape_error(), allowed = 1.0 / limits.steps_for_warning;
   const double escape = n.escape_velocity();
-  const std::string sentence = text("the step leaves the speed below which pairs stick, ", escape,
-                                    ", open by ", 100.0 * open, " %");
   // Two particles meet at up to twice the speed; slower pairs stick at any step.
   const bool reached =
       escape > 0.0 && std::isfinite(escape) && 2.0 * n.parameters().speed >= (1.0 - open) * escape;
-  if (open <= allowed || !reached) return {Subject::escape_velocity, Severity::ok, sentence};
-  return {Subject::escape_velocity, Severity::warning,
-          sentence + text(", so that which pairs stick is left to chance: for ", 100.0 * allowed,
-                          " % reduce the time step to ",
-                          named_step(n.parameters().dt * allowed / open))};
+  if (open <= allowed || !reached) return std::nullopt;
+  return Finding{
+      Subject::escape_velocity, Severity::warning,
+      text("the step leaves the speed below which pairs stick, ", escape, ", open by ",
+           100.0 * open, " %, so that which pairs stick is left to chance: for ", 100.0 * allowed,
+           " % reduce the time step to ", named_step(n.parameters().dt * allowed / open))};
 }
 
-inline Finding rounding(const ContactNumbers& n, const SchemeLimits& limits) {
+inline std::optional<Finding> rounding(const ContactNumbers& n, const SchemeLimits& limits) {
   const double error = n.rounding_error(limits.speeds_of_places);
   const double allowed = rounding_for_warning;
-  const std::string sentence = text("rounded places leave the speed of an impact at ",
-                                    n.entry_speed(), " open by up to ", 100.0 * error, " %");
-  if (error <= allowed) return {Subject::rounding, Severity::ok, sentence};
-  return {Subject::rounding, Severity::warning,
-          sentence + text(": for ", 100.0 * allowed, " % raise the time step to ",
-                          n.parameters().dt * error / allowed, " and soften the spring")};
+  if (error <= allowed) return std::nullopt;
+  return Finding{
+      Subject::rounding, Severity::warning,
+      text("rounded places leave the speed of an impact at ", n.entry_speed(), " open by up to ",
+           100.0 * error, " %: for ", 100.0 * allowed, " % raise the time step to ",
+           n.parameters().dt * error / allowed, " and soften the spring")};
 }
 
 /// The overlap falls as stiffness^(-1/power) of a linear spring, and as E*^(-1/(power + 1/2)) of
 /// Hertz's contact. The contact time of an impact falls as stiffness^(-1/2) and as E*^(-2/5).
-inline Finding overlap(Subject subject, const char* name, double over_diameter,
-                       const PairParameters& pair, double power) {
+inline std::optional<Finding> overlap(Subject subject, const char* name, double over_diameter,
+                                      const PairParameters& pair, double power) {
+  if (over_diameter <= overlap_for_warning) return std::nullopt;
   std::string sentence = text(name, " is ", 100.0 * over_diameter, " % of the diameter");
-  if (over_diameter <= overlap_for_warning) return {subject, Severity::ok, sentence};
   const bool fatal = over_diameter >= overlap_for_error;
   if (fatal) sentence += ", so far that particles pass through walls";
   const double excess = over_diameter / overlap_for_warning;
@@ -210,41 +209,38 @@ inline Finding overlap(Subject subject, const char* name, double over_diameter,
                      : text("raise Young's modulus to up to ", factor, " times its value");
   const double dt = pair.dt * std::pow(factor, pair.is_linear ? -0.5 : -0.4);
   const std::string step = text("; for as many steps per contact, lower the time step to ", dt);
-  return {subject, fatal ? Severity::error : Severity::warning, sentence + aim + cure + step};
+  return Finding{subject, fatal ? Severity::error : Severity::warning,
+                 sentence + aim + cure + step};
 }
 
 }  // namespace detail
 
-/// One finding for each subject that the scheme and the pair have, in the order of Subject.
+/// What is to be said of a pair in this scheme, in the order of Subject; empty: nothing.
 /// steady_step [time]: the largest one of particles with several contacts; infinite: there are
 /// none.
 inline std::vector<Finding> advise(const ContactNumbers& n, const SchemeLimits& limits,
                                    double steady_step = std::numeric_limits<double>::infinity()) {
   const PairParameters& p = n.parameters();
   const bool attracts = p.adhesion.force > 0.0;
-  std::vector<Finding> findings{detail::contact_steps(n, limits, steady_step)};
-  if (limits.samples_force) findings.push_back(detail::stability(n));
+  std::vector<Finding> findings;
+  const auto add = [&](const std::optional<Finding>& finding) {
+    if (finding) findings.push_back(*finding);
+  };
+  add(detail::contact_steps(n, limits, steady_step));
+  if (limits.samples_force) add(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
-    findings.push_back(
-        detail::cutoff_steps(n.entry_speed(), p.adhesion.cutoff, n.steps_in_cutoff(), limits));
+    add(detail::cutoff_steps(n.entry_speed(), p.adhesion.cutoff, n.steps_in_cutoff(), limits));
   // A force in the spring has an escape velocity of another kind.
   if (limits.samples_force && !attracts && n.well_energy() > 0.0)
-    findings.push_back(detail::escape_velocity(n, limits));
-  findings.push_back(detail::rounding(n, limits));
+    add(detail::escape_velocity(n, limits));
+  add(detail::rounding(n, limits));
   if (attracts)
-    findings.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
-                                       n.static_overlap_over_diameter(), p, 1.0));
+    add(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
+                        n.static_overlap_over_diameter(), p, 1.0));
   // Of a fast impact, whose overlap goes as 1/w0; adhesion makes it fall faster.
-  findings.push_back(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
-                                     n.impact_overlap_over_diameter(), p, 2.0));
+  add(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
+                      n.impact_overlap_over_diameter(), p, 2.0));
   return findings;
-}
-
-/// The worst of `findings`.
-inline Severity worst(const std::vector<Finding>& findings) {
-  Severity severity = Severity::ok;
-  for (const Finding& v : findings) severity = std::max(severity, v.severity);
-  return severity;
 }
 
 }  // namespace cohesion::advice

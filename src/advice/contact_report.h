@@ -235,7 +235,9 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     const double steady_step =
         packs ? detail::steady_step(n, run.plane) : std::numeric_limits<double>::infinity();
     std::vector<Finding> findings = advise(n, limits, steady_step);
-    if (packs) findings.push_back(detail::steadiness(n, run.crowd == Crowd::several, steady_step));
+    if (packs)
+      if (const auto finding = detail::steadiness(n, run.crowd == Crowd::several, steady_step))
+        findings.push_back(*finding);
     for (const Finding& finding : findings) {
       const bool of_overlap =
           finding.subject == Subject::static_overlap || finding.subject == Subject::impact_overlap;
@@ -274,10 +276,9 @@ inline Report attraction_report(const std::string& style, const SchemeLimits& li
     const double steps = c.adhesion.cutoff / (speed * run.dt);
     report.table += detail::name(c) + detail::number("%9.3g", approach_speed(run, c)) +
                     detail::number("%14.3g", steps) + "\n";
-    const Finding finding = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits);
-    if (finding.severity == Severity::warning)
+    if (const auto finding = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits))
       report.warnings.push_back(
-          {{c.name}, finding.subject, style + ", " + c.name + ": " + finding.sentence});
+          {{c.name}, finding->subject, style + ", " + c.name + ": " + finding->sentence});
   }
   return report;
 }

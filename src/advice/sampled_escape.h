@@ -134,7 +134,7 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
                  attraction.law);
   const double exact = contact::AdhesiveContact(spring, adhesion).escape_velocity();
   require_positive("escape velocity", exact);
-  const sampled_contact::SampledHamaker pair(spring, attraction, contact_distance, step);
+  const sampled_contact::SampledHamaker pair(spring, attraction, contact_distance);
   const double edge = contact_distance + pair.range();
   return detail::sampled_escape(
       [&](double speed, double position) {
@@ -161,8 +161,7 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
           "must exceed the way of a pair in a time step for scheme sampled: a wider well, or a "
           "shorter step");
   // Head-on the width does not matter: the narrowest one spares the flight to the edge.
-  const sampled_contact::SampledWell pair(spring, {0.0, way, well.tail_energy}, contact_distance,
-                                          step);
+  const sampled_contact::SampledWell pair(spring, {0.0, way, well.tail_energy}, contact_distance);
   return detail::sampled_escape(
       [&](double speed, double position) {
         const double entry = contact.entry_speed(speed);

@@ -78,34 +78,6 @@ class AdhesiveContact {
     return (b_ + m.amplitude() * std::exp(-zeta_ * m.peak_time())) / w0_;
   }
 
-  /// Speed w [length/time] at which a pair that touched at `entry_speed` comes apart; 0 when it
-  /// never does.
-  double exit_speed(double entry_speed) const {
-    require_non_negative("entry speed", entry_speed);
-    if (entry_speed == 0.0) return 0.0;
-    const Motion m(entry_speed, b_, zeta_);
-    const auto time = m.return_time();
-    return time ? m.return_speed(*time) : 0.0;
-  }
-
-  /// Speed far apart after the contact over `far_speed` [length/time] before it, [1]; 0 when
-  /// captured. Throws InvalidParameter unless far_speed > 0.
-  double effective_restitution(double far_speed) const {
-    require_positive("approach speed", far_speed);
-    const double deficit = unpaid_ / far_speed / far_speed;
-    if (zeta_ == 0.0) return std::sqrt(std::max(1.0 - deficit, 0.0));
-    const double u = entry_speed(far_speed);
-    const Motion m(u, b_, zeta_);
-    const auto time = m.return_time();
-    if (!time) return 0.0;
-    // (w^2 - 2 W/mu)/v^2, from w or from the loss: by which carries the smaller rounding.
-    const double w = m.return_speed(*time);
-    const double left = w * (u + b_) < far_speed * far_speed
-                            ? (w - well_speed_) / far_speed * ((w + well_speed_) / far_speed)
-                            : 1.0 - m.lost(*time) / far_speed / far_speed - deficit;
-    return left > 0.0 ? std::sqrt(left) : 0.0;
-  }
-
   /// v_esc [length/time], the far approach speed above which the pair comes apart again: 0 without
   /// attraction or without any loss, infinite with attraction at zero restitution.
   double escape_velocity() const {
@@ -117,6 +89,10 @@ class AdhesiveContact {
   }
 
  private:
+  // Of the tests: tests/src/contact/rebound.h
+  friend double exit_speed(const AdhesiveContact&, double entry_speed);
+  friend double effective_restitution(const AdhesiveContact&, double far_speed);
+
   /// The motion from x = 0, x' = u in the units of the class comment; speeds for all but times.
   class Motion {
    public:

@@ -57,19 +57,6 @@ class LinearSpringDashpot {
     return {stiffness, -ln_e / std::hypot(pi, ln_e) * critical, reduced_mass};
   }
 
-  /// The spring whose contact takes `contact_time` [time] at `restitution`:
-  /// K = mu (pi^2 + ln^2 e)/t_c^2. Throws InvalidParameter unless t_c > 0 and 0 < e <= 1.
-  static LinearSpringDashpot from_contact_time(double contact_time, double restitution,
-                                               double reduced_mass) {
-    require_positive("contact time", contact_time);
-    require_positive("reduced mass", reduced_mass);
-    require(restitution > 0.0 && restitution <= 1.0, "restitution e", restitution,
-            "must be above 0 and at most 1 for a finite contact time");
-    const double ln_e = std::log(restitution);
-    return from_restitution(reduced_mass * (pi * pi + ln_e * ln_e) / (contact_time * contact_time),
-                            restitution, reduced_mass);
-  }
-
   /// The spring that lets an impact at `speed` [length/time] reach `overlap` [length]:
   /// K = mu (v0/x_max)^2 exp(-2 (alpha/q) asin(q/w0)), where alpha/q = -ln e/pi.
   /// Throws InvalidParameter unless both are positive and 0 <= e <= 1.

@@ -111,7 +111,6 @@ class StiffnessScaling {
   StiffnessScaling(double real_stiffness, double soft_stiffness, double exponent = linear_power) {
     require_positive("stiffness of the material", real_stiffness);
     require_positive("stiffness of the simulation", soft_stiffness);
-    soft_stiffness_ = soft_stiffness;
     factor_ = std::pow(soft_stiffness / real_stiffness, 1.0 / (exponent + 1.0));
   }
   StiffnessScaling(const Material& material, double soft_stiffness)
@@ -119,11 +118,6 @@ class StiffnessScaling {
 
   /// f, [1].
   double factor() const { return factor_; }
-
-  /// The linear spring of the simulation at the same mass and restitution.
-  LinearSpringDashpot spring(const LinearSpringDashpot& real) const {
-    return {soft_stiffness_, factor_ * real.damping(), real.reduced_mass()};
-  }
 
   /// w of JKR's contact, [energy/length^2].
   double work_of_adhesion(double real) const { return factor_ * real; }
@@ -147,7 +141,6 @@ class StiffnessScaling {
   }
 
  private:
-  double soft_stiffness_;
   double factor_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 #include "hamaker/parameters.h"
 #include "validation.h"
@@ -61,6 +62,13 @@ inline Asperity asperity_of(const Roughness& r) {
   require(radius >= (1.0 - 1e-9) * height, "wavelength of the roughness", r.wavelength,
           remedy.str());
   return {std::max(radius, height), height};
+}
+
+/// Of surfaces given by the radius of their asperities, or by rms and wavelength of their
+/// roughness, [length]; empty: not given. Throws InvalidParameter as for a Roughness.
+inline Asperity asperity_of(double radius, const std::vector<double>& roughness) {
+  if (roughness.empty()) return {radius, 0.0};
+  return asperity_of({roughness.at(0), roughness.at(1)});
 }
 
 /// Of which asperity_of() is p's asperity, but for the last digit.

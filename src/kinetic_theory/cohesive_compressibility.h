@@ -45,9 +45,4 @@ struct CohesiveRatio {
   }
 };
 
-/// y/y_HS of the law above, [1]
-inline double cohesive_compressibility_ratio(double phi, double lambda, double depth_over_t) {
-  return CohesiveRatio::value(phi, gathered_by_well(lambda, depth_over_t));
-}
-
 }  // namespace cohesion::kinetic_theory

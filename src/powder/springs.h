@@ -46,8 +46,6 @@ struct GrainPair {
 struct Springs {
   PairNumbers material, used;
   advice::OverMaterial over;
-
-  bool are_softer() const { return used.stiffness < material.stiffness; }
 };
 
 /// The least stiffness to which the attraction of a material of stiffness `real` can be scaled, its

@@ -28,7 +28,7 @@ class SampledBridge : public SampledPair {
   static constexpr bool pushes_at_edge = false;
 
   SampledBridge(const contact::NormalLaw& repulsion, const contact::Adhesion& bridge,
-                double contact_distance, double /*step*/)
+                double contact_distance)
       : SampledPair(repulsion, contact_distance, bridge.cutoff), pull_(bridge.pull()) {}
 
   /// Gap at which a pair comes into range, [length].

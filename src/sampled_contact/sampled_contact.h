@@ -29,7 +29,7 @@ class SampledContact {
         window_(window),
         normal_law_(
             contact::normal_law(parameters, bodies_.rolling_radius(), bodies_.reduced_mass())),
-        pair_(normal_law_, attraction, bodies_.distance(), window.length()),
+        pair_(normal_law_, attraction, bodies_.distance()),
         sliding_(ContactSpring::Kind::sliding, parameters, normal_law_, 2.0 * window.after,
                  bodies_.inverse_sliding_mass()),
         rolling_(ContactSpring::Kind::rolling, parameters, normal_law_, 2.0 * window.after,

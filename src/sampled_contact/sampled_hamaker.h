@@ -27,7 +27,7 @@ class SampledHamaker : public SampledPair {
   static constexpr bool pushes_at_edge = false;
 
   SampledHamaker(const contact::NormalLaw& repulsion, const Attraction& attraction,
-                 double contact_distance, double /*step*/)
+                 double contact_distance)
       : SampledPair(repulsion, contact_distance, range_of(attraction)), attraction_(attraction) {}
 
   /// Gap at which a pair comes into range, [length].

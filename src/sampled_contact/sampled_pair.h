@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact/normal_law.h"
+#include "contact_solver/motion_along_normal.h"
+#include "contact_solver/relative_state.h"
 #include "contact_solver/step_window.h"
-#include "sampled_contact/sampled_repulsion.h"
 
 namespace cohesion::sampled_contact {
+
+using namespace contact_solver;
 
 /// What a sampled force does to a pair in one step.
 struct PairStep {
@@ -33,13 +37,19 @@ class SampledPair {
     return norm(state.separation) <= contact_distance_ + range_;
   }
 
-  double spring_energy(double overlap) const { return repulsion_.energy(overlap); }
+  /// Stored in the spring, [energy].
+  double spring_energy(double overlap) const {
+    return overlap > 0.0 ? contact::point_of(law_, overlap).energy : 0.0;
+  }
 
  protected:
   /// contact_distance [length]: of the centres at touch; range [length]: gap up to which the pair
   /// attracts.
   SampledPair(const contact::NormalLaw& repulsion, double contact_distance, double range)
-      : repulsion_(repulsion), contact_distance_(contact_distance), range_(range) {}
+      : law_(repulsion),
+        reduced_mass_(contact::reduced_mass(repulsion)),
+        contact_distance_(contact_distance),
+        range_(range) {}
 
   /// `time` [time]: for which the force of this time level acts; `record` receives its work.
   SampledMotion sample(const RelativeState& state, double time, NormalRecord& record) const {
@@ -47,13 +57,27 @@ class SampledPair {
     const Vector3 normal = (1.0 / distance) * state.separation;
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, state.velocity);
-    return {normal, overlap, rate, repulsion_.force(overlap, rate, time, record)};
+    return {normal, overlap, rate, repulsion(overlap, rate, time, record)};
   }
 
-  double reduced_mass() const { return repulsion_.reduced_mass(); }
+  double reduced_mass() const { return reduced_mass_; }
 
  private:
-  SampledRepulsion repulsion_;
+  /// Force of spring and dashpot at `overlap` [length] and its rate, for all of `time`, [force];
+  /// positive repels. Sets what it does in `record`.
+  double repulsion(double overlap, double rate, double time, NormalRecord& record) const {
+    if (!(overlap > 0.0)) return 0.0;
+    const contact::LawPoint here = contact::point_of(law_, overlap);
+    const double repulsion = here.force + here.damping * rate;
+    record.contact_time = time;
+    record.repulsion_impulse = time * repulsion;
+    record.repulsion_at_end = repulsion;
+    record.dissipated = time * here.damping * rate * rate;
+    return repulsion;
+  }
+
+  contact::NormalLaw law_;
+  double reduced_mass_;
   double contact_distance_;
   double range_;
 };

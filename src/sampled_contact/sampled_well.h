@@ -43,7 +43,7 @@ class SampledWell : public SampledPair {
   static constexpr bool pushes_at_edge = true;
 
   SampledWell(const contact::NormalLaw& repulsion, const contact::Adhesion& well,
-              double contact_distance, double /*step*/)
+              double contact_distance)
       : SampledPair(repulsion, contact_distance, well.cutoff),
         depth_(well.tail_energy),
         inverse_mass_(1.0 / reduced_mass()) {}

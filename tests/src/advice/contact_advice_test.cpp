@@ -13,6 +13,12 @@ const Finding* find(const std::vector<Finding>& findings, Subject subject) {
   return nullptr;
 }
 
+void expect_nothing(const PairParameters& p, const SchemeLimits& limits, Subject subject) {
+  const auto findings = advise(ContactNumbers(p), limits);
+  const Finding* found = find(findings, subject);
+  EXPECT_EQ(found, nullptr) << found->sentence;
+}
+
 /// The finding on `subject`, which must be there; a sentence with `part`.
 void expect_verdict(const PairParameters& p, const SchemeLimits& limits, Subject subject,
                     Severity severity, const std::string& part) {
@@ -40,11 +46,11 @@ PairParameters without_adhesion() {
 
 TEST(ContactAdvice, StepsPerContactAreJudgedByTheScheme) {
   const auto subject = Subject::contact_steps;
-  expect_verdict(at_steps(15.1), sampled_scheme, subject, Severity::ok, "15.1 time steps");
+  expect_nothing(at_steps(15.1), sampled_scheme, subject);
   // pi/(15 w0) = 6.167e-6 s, named so that it is small enough.
   expect_verdict(at_steps(14.9), sampled_scheme, subject, Severity::warning,
                  "reduce the time step to 6.16e-06");
-  expect_verdict(at_steps(4.1), exact_scheme, subject, Severity::ok, "4.1 time steps");
+  expect_nothing(at_steps(4.1), exact_scheme, subject);
   expect_verdict(at_steps(3.9), exact_scheme, subject, Severity::warning,
                  "exact scheme should have 4");
   expect_verdict(at_steps(0.9), exact_scheme, subject, Severity::error, "fewer than 1");
@@ -66,21 +72,21 @@ TEST(ContactAdvice, NoLeastNumberOfStepsIsNamedWhereThereIsNone) {
 
 TEST(ContactAdvice, UnstableLeapfrogIsAnErrorWhereTheForceIsSampled) {
   // pi/2 steps without dashpot; the thesis' zeta = 0.0168 asks for 1.7 % more.
-  expect_verdict(at_steps(1.62), sampled_scheme, Subject::stability, Severity::ok, "stable");
+  expect_nothing(at_steps(1.62), sampled_scheme, Subject::stability);
   expect_verdict(at_steps(1.58), sampled_scheme, Subject::stability, Severity::error, "unstable");
   PairParameters elastic = at_steps(1.58);
   elastic.damping = 0.0;
-  expect_verdict(elastic, sampled_scheme, Subject::stability, Severity::ok, "stable");
-  EXPECT_EQ(find(advise(ContactNumbers(elastic), exact_scheme), Subject::stability), nullptr);
+  expect_nothing(elastic, sampled_scheme, Subject::stability);
+  expect_nothing(elastic, exact_scheme, Subject::stability);
 }
 
 TEST(ContactAdvice, SkippedCutoffIsAWarningWhereTheForceIsSampled) {
   PairParameters p = thesis_pair();
   // H_cut/u = 3.999e-9 s at 0.1 m/s and the gain on the way.
   expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::warning, "to 3.99e-09");
-  EXPECT_EQ(find(advise(ContactNumbers(p), exact_scheme), Subject::cutoff_steps), nullptr);
+  expect_nothing(p, exact_scheme, Subject::cutoff_steps);
   p.dt = 3.9e-9;
-  expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::ok, "1.03 time steps");
+  expect_nothing(p, sampled_scheme, Subject::cutoff_steps);
 }
 
 TEST(ContactAdvice, EscapeVelocityThatADashpotLeavesOpenIsAWarningWhereTheForceIsSampled) {
@@ -95,12 +101,12 @@ TEST(ContactAdvice, EscapeVelocityThatADashpotLeavesOpenIsAWarningWhereTheForceI
   p.adhesion.tail_energy = 0.5 * mass * 0.025 * 0.025;
   p.speed = 0.05;
   expect_verdict(p, sampled_scheme, subject, Severity::warning, "0.0433, open by 9.02 %");
-  EXPECT_EQ(find(advise(ContactNumbers(p), exact_scheme), subject), nullptr);
+  expect_nothing(p, exact_scheme, subject);
   PairParameters slow = p;
   slow.speed = 0.45 * 0.0433;
-  expect_verdict(slow, sampled_scheme, subject, Severity::ok, "");
+  expect_nothing(slow, sampled_scheme, subject);
   p.dt *= 20.0 / 27.1;
-  expect_verdict(p, sampled_scheme, subject, Severity::ok, "open by 6.6");
+  expect_nothing(p, sampled_scheme, subject);
 }
 
 TEST(ContactAdvice, EscapeVelocityIsOpenByAStepOfTheContactWithHardlyADashpot) {
@@ -116,19 +122,19 @@ TEST(ContactAdvice, WayOfARoundingInAStepIsAWarning) {
   p.dt = 1e-6;
   // pi/2 2^-52 1 mm/(u dt) = 1/15: 5.23e-12 m/s.
   p.speed = 5.3e-12;
-  expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "6.58 %");
+  expect_nothing(p, sampled_scheme, Subject::rounding);
   p.speed = 5.1e-12;
   expect_verdict(p, sampled_scheme, Subject::rounding, Severity::warning, "6.84 %");
   // (pi/2 + 2) 2^-52 1 mm/(u dt) = 1/15: 1.189e-11 m/s.
   for (const SchemeLimits& scheme : {exact_scheme, exact_scheme_one_pass}) {
     p.speed = 1.2e-11;
-    expect_verdict(p, scheme, Subject::rounding, Severity::ok, "6.61 %");
+    expect_nothing(p, scheme, Subject::rounding);
     p.speed = 1.18e-11;
     expect_verdict(p, scheme, Subject::rounding, Severity::warning, "6.72 %");
   }
   p.speed = 0.0;
-  expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "");
-  expect_verdict(p, exact_scheme, Subject::rounding, Severity::ok, "");
+  expect_nothing(p, sampled_scheme, Subject::rounding);
+  expect_nothing(p, exact_scheme, Subject::rounding);
 }
 
 TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
@@ -137,7 +143,7 @@ TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
   const double w0 = ContactNumbers(p).frequency();
   const auto speed_for = [=](double over_diameter) { return over_diameter * 1e-3 * w0; };
   p.speed = speed_for(0.0099);
-  expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::ok, "0.99 % of the diameter");
+  expect_nothing(p, exact_scheme, Subject::impact_overlap);
   p.speed = speed_for(0.1);
   // Ten times 1 %: a hundred times the stiffness, and a tenth of the step.
   expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::warning, "to about 8e+04");
@@ -154,23 +160,15 @@ TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
 
 TEST(ContactAdvice, LargeStaticOverlapNamesTheStiffness) {
   PairParameters p = thesis_pair();
-  expect_verdict(p, exact_scheme, Subject::static_overlap, Severity::ok, "0.0163 %");
+  expect_nothing(p, exact_scheme, Subject::static_overlap);
   p.adhesion.force = 800.0 * 2e-5;  // K times 2 % of d
   expect_verdict(p, exact_scheme, Subject::static_overlap, Severity::warning, "to about 1.6e+03");
 }
 
-TEST(ContactAdvice, CohesionlessPairIsNotToldAboutAdhesion) {
+TEST(ContactAdvice, APairWithoutAdhesionAtEnoughStepsIsGood) {
   PairParameters p = without_adhesion();
   p.dt = 1e-6;
-  const auto findings = advise(ContactNumbers(p), sampled_scheme);
-  EXPECT_EQ(findings.size(), 4u);
-  EXPECT_EQ(worst(findings), Severity::ok);
-}
-
-TEST(ContactAdvice, WorstIsTheWorst) {
-  EXPECT_EQ(worst({}), Severity::ok);
-  EXPECT_EQ(worst(advise(ContactNumbers(thesis_pair()), sampled_scheme)), Severity::warning);
-  EXPECT_EQ(worst(advise(ContactNumbers(at_steps(1.0)), sampled_scheme)), Severity::error);
+  EXPECT_TRUE(advise(ContactNumbers(p), sampled_scheme).empty());
 }
 
 }  // namespace cohesion::advice

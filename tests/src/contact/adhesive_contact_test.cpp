@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "contact/rebound.h"
 #include "refuses.h"
 #include "sphere.h"
 
@@ -40,9 +41,9 @@ TEST(AdhesiveContact, AgreesWithAnIntegrationOfTheThesisParticle) {
       {0.1, 0.09449197705144251446, 3.0309614453181251108e-6, 0.94490391232810404189}};
   for (const auto& [v, w, overlap, restitution] : expected) {
     const double u = contact.entry_speed(v);
-    EXPECT_LT(relative(contact.exit_speed(u), w), 1e-13);
+    EXPECT_LT(relative(exit_speed(contact, u), w), 1e-13);
     EXPECT_LT(relative(contact.maximum_overlap(u), overlap), 1e-13);
-    EXPECT_LT(relative(contact.effective_restitution(v), restitution), 1e-13);
+    EXPECT_LT(relative(effective_restitution(contact, v), restitution), 1e-13);
   }
 }
 
@@ -79,25 +80,25 @@ TEST(AdhesiveContact, WhatFormsAtTouchGivesNothingOnTheWayIn) {
     const AdhesiveContact bridge(bed, {force, gap, 0.0, true});
     EXPECT_LT(relative(bridge.escape_velocity(), speed), 1e-13) << force;
     EXPECT_EQ(bridge.entry_speed(0.1), 0.1);
-    EXPECT_EQ(bridge.effective_restitution((1.0 - 1e-12) * speed), 0.0);
-    EXPECT_GT(bridge.effective_restitution((1.0 + 1e-12) * speed), 0.0);
+    EXPECT_EQ(effective_restitution(bridge, (1.0 - 1e-12) * speed), 0.0);
+    EXPECT_GT(effective_restitution(bridge, (1.0 + 1e-12) * speed), 0.0);
     // Far from that: what is left of the speed at which it parts, of the work F h_r.
-    const double w = bridge.exit_speed(1.0), lost = 2.0 * force * gap / bed.reduced_mass();
-    EXPECT_LT(relative(bridge.effective_restitution(1.0), std::sqrt(w * w - lost)), 1e-13);
+    const double w = exit_speed(bridge, 1.0), lost = 2.0 * force * gap / bed.reduced_mass();
+    EXPECT_LT(relative(effective_restitution(bridge, 1.0), std::sqrt(w * w - lost)), 1e-13);
   }
   // Elastic: all of F h_r has to be paid, and nothing else.
   const AdhesiveContact elastic(LinearSpringDashpot(1.0, 0.0, 1.0), {2.0, 0.25, 0.0, true});
   EXPECT_DOUBLE_EQ(elastic.escape_velocity(), 1.0);
-  EXPECT_EQ(elastic.effective_restitution(0.5), 0.0);
-  EXPECT_DOUBLE_EQ(elastic.effective_restitution(2.0), std::sqrt(0.75));
+  EXPECT_EQ(effective_restitution(elastic, 0.5), 0.0);
+  EXPECT_DOUBLE_EQ(effective_restitution(elastic, 2.0), std::sqrt(0.75));
 }
 
 TEST(AdhesiveContact, OverlapAndExitAgreeWithAnIntegration) {
   // K = mu = F_ad = 1, Taylor integration as above.
-  EXPECT_LT(relative(unit(0.3, 1.0, 0.0).exit_speed(5.0), 0.56954899534687502758), 1e-13);
+  EXPECT_LT(relative(exit_speed(unit(0.3, 1.0, 0.0), 5.0), 0.56954899534687502758), 1e-13);
   EXPECT_LT(relative(unit(0.3, 1.0, 0.0).maximum_overlap(5.0), 4.0240638765564035838), 1e-14);
   EXPECT_LT(relative(unit(0.3, 1.0, 0.0).maximum_overlap(0.5), 1.426212291969398406), 1e-14);
-  EXPECT_EQ(unit(0.3, 1.0, 0.0).exit_speed(0.5), 0.0);
+  EXPECT_EQ(exit_speed(unit(0.3, 1.0, 0.0), 0.5), 0.0);
   EXPECT_LT(relative(unit(1.0, 1.0, 0.0).maximum_overlap(5.0), 2.1460191874407604013), 1e-14);
   EXPECT_LT(relative(unit(3.0, 1.0, 0.0).maximum_overlap(10.0), 1.6266450424528911844), 1e-14);
 }
@@ -109,10 +110,10 @@ TEST(AdhesiveContact, SlowOverdampedPairCreepsToTheStaticOverlap) {
 TEST(AdhesiveContact, WithoutAdhesionItIsTheSpringDashpot) {
   for (const double zeta : {0.0, 0.017, 0.5, 0.95, 1.0, 2.0}) {
     const AdhesiveContact contact = unit(zeta, 0.0, 0.0);
-    EXPECT_NEAR(contact.exit_speed(2.0), 2.0 * contact.spring().restitution(), 1e-14) << zeta;
+    EXPECT_NEAR(exit_speed(contact, 2.0), 2.0 * contact.spring().restitution(), 1e-14) << zeta;
     EXPECT_LT(relative(contact.maximum_overlap(2.0), contact.spring().maximum_overlap(2.0)), 1e-14)
         << zeta;
-    EXPECT_NEAR(contact.effective_restitution(2.0), contact.spring().restitution(), 1e-14) << zeta;
+    EXPECT_NEAR(effective_restitution(contact, 2.0), contact.spring().restitution(), 1e-14) << zeta;
     EXPECT_EQ(contact.escape_velocity(), 0.0) << zeta;
   }
 }
@@ -121,8 +122,8 @@ TEST(AdhesiveContact, WithoutDashpotNothingIsCaptured) {
   const AdhesiveContact contact = unit(0.0, 3.0, 2.0);
   EXPECT_EQ(contact.escape_velocity(), 0.0);
   for (const double v : {1e-9, 1e-3, 1.0, 1e6}) {
-    EXPECT_EQ(contact.effective_restitution(v), 1.0) << v;
-    EXPECT_EQ(contact.exit_speed(v), v);
+    EXPECT_EQ(effective_restitution(contact, v), 1.0) << v;
+    EXPECT_EQ(exit_speed(contact, v), v);
     // Energy: K x^2/2 - F_ad x = mu u^2/2.
     EXPECT_LT(relative(contact.maximum_overlap(v), 3.0 + std::hypot(3.0, v)), 1e-15) << v;
   }
@@ -138,7 +139,7 @@ TEST(AdhesiveContact, WellWithoutForceInContactHasTheSquareWellsEscapeVelocity) 
     EXPECT_LT(relative(contact.escape_velocity(), expected), 1e-12) << e;
     // e_eff = sqrt(e^2 - (2W/mu)(1 - e^2)/v^2), the thesis' limit of a thin well.
     const double v = 3.0 * expected;
-    EXPECT_NEAR(contact.effective_restitution(v),
+    EXPECT_NEAR(effective_restitution(contact, v),
                 std::sqrt(e * e - 2e-13 / 7e-7 * (1.0 - e * e) / (v * v)), 1e-12)
         << e;
   }
@@ -183,8 +184,8 @@ TEST(AdhesiveContact, EscapesJustAboveAndIsCapturedJustBelowTheEscapeVelocity) {
     for (const double well : {0.0, 1e-6, 0.5, 1e6}) {
       const AdhesiveContact contact = unit(zeta, 1.0, well);
       const double v = contact.escape_velocity();
-      EXPECT_EQ(contact.effective_restitution(v * (1.0 - 1e-6)), 0.0) << zeta << " " << well;
-      EXPECT_GT(contact.effective_restitution(v * (1.0 + 1e-6)), 0.0) << zeta << " " << well;
+      EXPECT_EQ(effective_restitution(contact, v * (1.0 - 1e-6)), 0.0) << zeta << " " << well;
+      EXPECT_GT(effective_restitution(contact, v * (1.0 + 1e-6)), 0.0) << zeta << " " << well;
     }
 }
 
@@ -200,14 +201,14 @@ TEST(AdhesiveContact, EscapesJustAboveTheEscapeVelocityOfExtremeParameters) {
     const AdhesiveContact contact(LinearSpringDashpot::from_restitution(1.0, e, 1.0),
                                   {force, 0.0, well});
     const double v = contact.escape_velocity();
-    EXPECT_EQ(contact.effective_restitution(v * (1.0 - 1e-9)), 0.0) << e << " " << force;
-    EXPECT_GT(contact.effective_restitution(v * (1.0 + 1e-9)), 0.0) << e << " " << force;
+    EXPECT_EQ(effective_restitution(contact, v * (1.0 - 1e-9)), 0.0) << e << " " << force;
+    EXPECT_GT(effective_restitution(contact, v * (1.0 + 1e-9)), 0.0) << e << " " << force;
   }
 }
 
 TEST(AdhesiveContact, FastPairsHaveTheRestitutionOfTheSpring) {
   // e_eff = e - O(b/v).
-  EXPECT_NEAR(unit(0.3, 1.0, 0.5).effective_restitution(1e9),
+  EXPECT_NEAR(effective_restitution(unit(0.3, 1.0, 0.5), 1e9),
               unit(0.3, 0, 0).spring().restitution(), 1e-8);
 }
 
@@ -215,7 +216,7 @@ TEST(AdhesiveContact, ZeroRestitutionHoldsEveryPairThatAttracts) {
   for (const double zeta : {1.0, 2.0, 1.0 - 1e-9}) {
     EXPECT_EQ(unit(zeta, 1.0, 0.5).escape_velocity(), infinity);
     EXPECT_EQ(unit(zeta, 0.0, 0.5).escape_velocity(), infinity);
-    EXPECT_EQ(unit(zeta, 1.0, 0.5).effective_restitution(1e6), 0.0);
+    EXPECT_EQ(effective_restitution(unit(zeta, 1.0, 0.5), 1e6), 0.0);
   }
 }
 
@@ -231,9 +232,9 @@ TEST(AdhesiveContact, RefusesWhatCannotBe) {
     expect_refused([=] { AdhesiveContact(bed, {1.0, bad, 1.0}); }, "cut-off");
     expect_refused([=] { AdhesiveContact(bed, {1.0, 1.0, bad}); }, "tail energy");
     const AdhesiveContact contact(bed, bed_adhesion);
-    expect_refused([=] { contact.exit_speed(bad); }, "entry speed");
+    expect_refused([=] { exit_speed(contact, bad); }, "entry speed");
     expect_refused([=] { contact.maximum_overlap(bad); }, "entry speed");
-    expect_refused([=] { contact.effective_restitution(bad); }, "approach speed");
+    expect_refused([=] { effective_restitution(contact, bad); }, "approach speed");
   }
 }
 

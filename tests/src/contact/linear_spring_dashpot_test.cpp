@@ -66,9 +66,6 @@ TEST(LinearSpringDashpot, InversesReturnWhatTheyWereGiven) {
     // A handful of roundings through exp and log: 1e-14 relative.
     const auto by_e = LinearSpringDashpot::from_restitution(800.0, e, 7e-7);
     EXPECT_NEAR(by_e.restitution() / e, 1.0, 1e-13);
-    const auto by_time = LinearSpringDashpot::from_contact_time(9.25e-5, e, 7e-7);
-    EXPECT_NEAR(by_time.contact_time() / 9.25e-5, 1.0, 1e-13);
-    EXPECT_NEAR(by_time.restitution() / e, 1.0, 1e-13);
     const auto by_overlap = LinearSpringDashpot::from_maximum_overlap(1e-5, 2.0, e, 7e-7);
     EXPECT_NEAR(by_overlap.maximum_overlap(2.0) / 1e-5, 1.0, 1e-13);
     EXPECT_NEAR(by_overlap.restitution() / e, 1.0, 1e-13);
@@ -126,10 +123,8 @@ TEST(LinearSpringDashpot, RefusesWhatCannotBe) {
     expect_refused([=] { LinearSpringDashpot(1.0, 1.0, bad); }, "reduced mass");
     expect_refused([=] { LinearSpringDashpot::from_restitution(bad, 0.9, 1.0); }, "stiffness");
     expect_refused([=] { LinearSpringDashpot::from_restitution(1.0, 0.9, bad); }, "reduced mass");
-    expect_refused([=] { LinearSpringDashpot::from_contact_time(1.0, 0.9, bad); }, "reduced mass");
     expect_refused([=] { LinearSpringDashpot::from_maximum_overlap(1.0, 1.0, 0.9, bad); },
                    "reduced mass");
-    expect_refused([=] { LinearSpringDashpot::from_contact_time(bad, 0.9, 1.0); }, "contact time");
     expect_refused([=] { LinearSpringDashpot::from_maximum_overlap(bad, 1.0, 0.9, 1.0); },
                    "overlap");
     expect_refused([=] { LinearSpringDashpot::from_maximum_overlap(1.0, bad, 0.9, 1.0); }, "speed");
@@ -138,7 +133,6 @@ TEST(LinearSpringDashpot, RefusesWhatCannotBe) {
     expect_refused([=] { LinearSpringDashpot(1.0, bad, 1.0); }, "damping");
   for (const double bad : {-0.1, 1.0000001, nan})
     expect_refused([=] { LinearSpringDashpot::from_restitution(1.0, bad, 1.0); }, "restitution");
-  expect_refused([] { LinearSpringDashpot::from_contact_time(1.0, 0.0, 1.0); }, "restitution");
 }
 
 }  // namespace cohesion::contact

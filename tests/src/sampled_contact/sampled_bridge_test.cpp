@@ -22,7 +22,7 @@ struct Bridged {
 
   Bridged(const contact::ContactParameters& p, double step, double wait, double speed,
           double fall = 0.0)
-      : law(contact::normal_contact(p, thesis::reduced_mass), bridge(fall), core, step),
+      : law(contact::normal_contact(p, thesis::reduced_mass), bridge(fall), core),
         dt(step),
         distance(core + wait * speed),
         rate(-speed) {}
@@ -45,7 +45,7 @@ TEST(SampledBridge, FormsAtTouchAndBreaksBeyondItsGap) {
   EXPECT_TRUE(sampled_bridge(gap, 0.5 * gap, true));
   EXPECT_FALSE(sampled_bridge(gap, 1.5 * gap, true));
   const SampledBridge law(contact::normal_contact(thesis::contact(), thesis::reduced_mass),
-                          bridge(), core, 1e-6);
+                          bridge(), core);
   const RelativeState in_gap{{core + 0.5 * gap, 0, 0}, {}};
   const StepWindow window{5e-7, 5e-7};
   EXPECT_EQ(law.advance(in_gap, window, false).velocity_change.x, 0.0);

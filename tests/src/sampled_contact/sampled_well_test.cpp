@@ -16,8 +16,7 @@ const double well_speed = std::sqrt(2.0 * depth / thesis::reduced_mass);
 SampledWell pair() {
   return {contact::normal_contact(thesis::contact(), thesis::reduced_mass),
           {0.0, edge - core, depth},
-          core,
-          dt};
+          core};
 }
 
 /// Change of energy over D and flag after a step from the grid point.

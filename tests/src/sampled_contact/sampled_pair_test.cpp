@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sampled_contact/sampled_repulsion.h"
+#include "sampled_contact/sampled_pair.h"
 
 #include <gtest/gtest.h>
 
@@ -24,29 +24,37 @@ contact::NormalLaw law(double restitution) {
   return contact::normal_law(hertz(restitution), 0.5 * radius, 0.5 * mass);
 }
 
+SampledHamaker pair_without_attraction() {
+  return {law(e),
+          {hamaker::forms.front().law(hamaker::none, false), two_spheres(radius, radius)},
+          2.0 * radius};
+}
+
 }  // namespace
 
-TEST(SampledRepulsion, IsTheLawWhereThePairIs) {
-  const double overlap = 1e-6, rate = 0.02, time = 1e-7;
+TEST(SampledPair, RepulsionIsTheLawWhereThePairIs) {
+  const double distance = 2.0 * radius - 1e-6, rate = 0.02, time = 1e-7;
+  const double overlap = 2.0 * radius - distance;
+  const StepWindow window{0.5 * time, 0.5 * time};
   const contact::LawPoint here = contact::point_of(law(e), overlap);
-  NormalRecord record;
-  const SampledRepulsion repulsion(law(e));
-  EXPECT_DOUBLE_EQ(repulsion.force(overlap, rate, time, record), here.force + here.damping * rate);
-  EXPECT_DOUBLE_EQ(record.dissipated, time * here.damping * rate * rate);
-  EXPECT_DOUBLE_EQ(repulsion.energy(overlap), here.energy);
-  EXPECT_EQ(repulsion.force(-overlap, rate, time, record), 0.0);
-  EXPECT_EQ(repulsion.energy(-overlap), 0.0);
+  const SampledHamaker pair = pair_without_attraction();
+  const PairStep pressed = pair.advance({{distance, 0, 0}, {-rate, 0, 0}}, window, false);
+  EXPECT_DOUBLE_EQ(pressed.force, here.force + here.damping * rate);
+  EXPECT_DOUBLE_EQ(pressed.record.dissipated, time * here.damping * rate * rate);
+  EXPECT_DOUBLE_EQ(pair.spring_energy(overlap), here.energy);
+  const PairStep apart =
+      pair.advance({{2.0 * radius + overlap, 0, 0}, {-rate, 0, 0}}, window, false);
+  EXPECT_EQ(apart.force, 0.0);
+  EXPECT_EQ(pair.spring_energy(-overlap), 0.0);
 }
 
 /// The dashpot sees the velocity of half a step before: a fraction w dt/2 = pi/(2 n) of what it
 /// dissipates, 1 - e^2, is open at n steps per contact, and half of that of the speed.
-TEST(SampledRepulsion, RestitutionOfHertzComesWithTheStep) {
+TEST(SampledPair, RestitutionOfHertzComesWithTheStep) {
   const double contact_time = std::get<contact::HertzSpringDashpot>(law(1.0)).contact_time(speed);
   for (const double steps : {50.0, 400.0}) {
     const double dt = contact_time / steps;
-    const SampledHamaker pair(
-        law(e), {hamaker::forms.front().law(hamaker::none, false), two_spheres(radius, radius)},
-        2.0 * radius, dt);
+    const SampledHamaker pair = pair_without_attraction();
     RelativeState grid{{2.0 * radius + 0.3 * speed * dt, 0, 0}, {-speed, 0, 0}};
     for (int k = 0; k < 3 * steps; k++) {
       grid.velocity += pair.advance(grid, {0.5 * dt, 0.5 * dt}, false).velocity_change;
