@@ -34,6 +34,7 @@ def main():
     parser.add_argument("--steps", type=int, default=3, metavar="N", help="gas steps (%(default)s)")
     parser.add_argument("--kernel", choices=FORWARD, default="sphereOverlap", help="of the void fraction (%(default)s)")
     args = parser.parse_args()
+    csv_table.require_published(args, steps=3, kernel="sphereOverlap")
     progress, rows = Progress(sum(args.ranks)), {}
     for ranks in args.ranks:
         rows[ranks] = run(Columns(args.build, args.work), ranks, args.steps, args.kernel)
