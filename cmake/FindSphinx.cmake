@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sphinx with MyST, the theme of the site and matplotlib for its charts, as modules of Python 3; the site's formulas want Debian's MathJax.
+# Sphinx with MyST, the theme of the site and matplotlib for its charts, as modules of Python 3; the site's formulas want
+# Debian's MathJax.
 find_program(Python3_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_package(Python3 QUIET COMPONENTS Interpreter)
 set(Sphinx_VERSION "")

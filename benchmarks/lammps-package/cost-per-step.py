@@ -53,6 +53,7 @@ def main():
                                     ("--instructions", {"action": "store_true"}), csv_table.OPTION)
     if words.csv and not words.instructions:
         raise SystemExit("--csv: with --instructions")
+    csv_table.require_published(words, ratio=1.01)
     ours, strength = STYLES[words.law], STRENGTHS[words.law]
     stock = "stock_hertz" if words.law in ("hertz", "jkr") else "stock"
     if words.granular:

@@ -125,6 +125,7 @@ def main():
         ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}), csv_table.OPTION)
     if words.csv and not words.damped:
         raise SystemExit("--csv: with --damped")
+    csv_table.require_published(words, gases=16)
     if words.heating:
         heating(gas, engine)
         return

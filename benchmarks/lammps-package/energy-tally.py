@@ -56,6 +56,7 @@ def main():
         ("--collisions", {"type": float, "default": 20.0, "help": "per particle"}),
         ("--elastic", {"action": "store_true", "help": "only restitution 1 without friction"}),
         ("--fraction", {"type": float, "help": "only this solid fraction"}), csv_table.OPTION)
+    csv_table.require_published(words, side=10)
     contacts = ((1.0, 0.0),) if words.elastic else hertzian_laws.CONTACTS
     gases = hertzian_laws.gases(words.law, words.fraction)
     return measure(words, contacts, gases, hertzian_laws.DIVISIONS)

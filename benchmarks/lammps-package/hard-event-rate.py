@@ -55,6 +55,7 @@ def main():
         __doc__, ("--discs", {"type": int, "default": 2292}),
         ("--flights", {"type": float, "default": 30.0, "help": "length in mean free times"}),
         ("--turns", {"type": int, "default": 5}), csv_table.OPTION)
+    csv_table.require_published(words, flights=30.0)
 
     gas = Gas(words.discs, FRACTION, 2)
     free = free_time(gas)

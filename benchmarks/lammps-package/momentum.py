@@ -23,6 +23,7 @@ CASES = (("8 spheres, elastic", 2, ELASTIC), ("64 spheres, elastic", 4, ELASTIC)
 
 def main():
     words = measuring_program.words(__doc__, ("--seeds", {"type": int, "default": 3}), csv_table.OPTION)
+    csv_table.require_published(words, seeds=3)
 
     print("".join(f"{f't_c/{division}':>20s}" for division in DIVISIONS)
           + "\n" + len(DIVISIONS) * "  momentum   angular")

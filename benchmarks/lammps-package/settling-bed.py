@@ -82,6 +82,7 @@ def main():
         ("--law", {"choices": hertzian_laws.LAWS, "default": "linear"}),
         ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}),
         csv_table.OPTION, liggghts=True)
+    csv_table.require_published(words, side=5, layers=5, seconds=0.5, seed=1, beds=1)
 
     linear = words.law == "linear"
     if not words.plugin and not linear:

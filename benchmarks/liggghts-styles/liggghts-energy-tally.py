@@ -29,8 +29,7 @@ def main():
     words.add_argument("--fraction", type=float, help="only this solid fraction")
     words.add_argument(csv_table.OPTION[0], **csv_table.OPTION[1])
     words = words.parse_args()
-    if words.csv and words.scheme != "exact":
-        raise SystemExit("--csv: of scheme exact")
+    csv_table.require_published(words, scheme="exact", side=10)
     os.environ["COHESION_LAUNCHER"] = words.launcher
     contacts = ((1.0, 0.0),) if words.elastic else hertzian_laws.CONTACTS
     return measure(words, contacts, hertzian_laws.gases(words.law, words.fraction), hertzian_laws.DIVISIONS)

@@ -32,6 +32,8 @@ def main():
     words.add_argument("--steps", type=float, default=2e6, help="most steps of a run")
     csv_table.add_to(words)
     words = words.parse_args()
+    csv_table.require_published(words, scheme="exact", stiffness=[10.0, 50.0, 500.0], diameter=[75e-6], partner=["plane"],
+                                steps=2e6)
     loads = {"plane": LOADS, "pair": ("addforce",)}
     os.environ["COHESION_LAUNCHER"] = words.launcher
     print(f"{'d [m]':>8} {'K [N/m]':>8} {'e':>5} {'partner':>9} {'load':>9}" + "".join(f"  t_c/{d:<4}" for d in DIVISIONS))
@@ -50,7 +52,8 @@ def main():
                             separations[restitution] += [found] if found else []
                             print("       - " if found is None else f"  {found:7.4f}", end="", flush=True)
                         print()
-                        csv_table.enter_pull_off(words.csv, "LIGGGHTS", restitution, separations[restitution])
+    for restitution, found in separations.items():
+        csv_table.enter_pull_off(words.csv, "LIGGGHTS", restitution, found)
 
 
 if __name__ == "__main__":

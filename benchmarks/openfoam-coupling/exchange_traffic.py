@@ -20,11 +20,12 @@ from cohesion_tests.progress import Progress
 def enter(file, ranks, counts):
     """Into coupled_speed.csv: bytes in hundreds."""
     names = {"messages": "messages of a rank", "bytes": "bytes", "to ranks": "to ranks"}
-    text = {name: f"{mean:.1f}, {largest:.0f}" for name, (mean, largest) in counts.items()}
-    text["bytes"] = ", ".join(csv_table.grouped(round(value, -2)) for value in counts["bytes"])
+    text = {name: (f"{mean:.1f}", f"{largest:.0f}") for name, (mean, largest) in counts.items()}
+    text["bytes"] = [csv_table.grouped(round(value, -2)) for value in counts["bytes"]]
     csv_table.enter_quantities(file, "messages per gas step",
                                f"{ranks} ranks, {csv_table.grouped(SPHERES * ranks)} spheres",
-                               {f"{names[name]}, mean and largest": value for name, value in text.items()})
+                               {f"{names[name]}, {which}": value for name, pair in text.items()
+                                for which, value in zip(("mean", "largest"), pair)})
 
 
 def main():
@@ -33,6 +34,7 @@ def main():
     parser.add_argument("--steps", type=int, default=3, metavar="N", help="gas steps (%(default)s)")
     parser.add_argument("--kernel", choices=FORWARD, default="sphereOverlap", help="of the void fraction (%(default)s)")
     args = parser.parse_args()
+    csv_table.require_published(args, steps=3, kernel="sphereOverlap")
     progress, rows = Progress(sum(args.ranks)), {}
     for ranks in args.ranks:
         rows[ranks] = run(Columns(args.build, args.work), ranks, args.steps, args.kernel)

@@ -9,8 +9,8 @@ A page has a comment where the chart belongs, with its caption and a query of sc
 
 The columns are x, the name of the series (which can be left out) and y; the first and the last name label the axes.
 Numbers as x give lines, words bars. "1.2 +- 0.1" and "1.2 (1.1 to 1.4)" have an error bar, and points in the place of bars.
-Rows without a number as y are left out. Axes that span more than a factor of SPAN are logarithmic; where y is, x is from a
-factor of 4 on."""
+Rows without y and those with one of OUTCOMES are left out; any other text as y is an error. Axes that span more than a
+factor of SPAN are logarithmic, on which a zero is an error; where y is, x is from a factor of 4 on."""
 import re
 from importlib.machinery import SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
@@ -22,7 +22,8 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 CHART = re.compile(r"^<!-- chart (?P<caption>[^\n]+)\n(?P<query>.*?)^-->\n", re.M | re.S)
-NUMBER = r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?"
+NUMBER = r"[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d*)?(?:[eE][-+]?\d+)?"
+OUTCOMES = {"stops", "unstable"}
 SPAN = 30
 MARKERS = "os^vDPX*"
 
@@ -35,16 +36,21 @@ def database(source):
     return module.database(sorted(source.glob("docs/verification/*.csv")))
 
 
+def real(text):
+    """With commas between thousands."""
+    return float(text.replace(",", ""))
+
+
 def number(text):
     """(least, value, largest) of a cell, or None."""
     text = str(text)
     if found := re.match(rf"({NUMBER}) \+- ({NUMBER})$", text):
-        value, error = map(float, found.groups())
+        value, error = map(real, found.groups())
         return value - error, value, value + error
     if found := re.match(rf"({NUMBER}) \(({NUMBER}) to ({NUMBER})\)$", text):
-        value, least, largest = map(float, found.groups())
+        value, least, largest = map(real, found.groups())
         return least, value, largest
-    return (float(text),) * 3 if re.fullmatch(NUMBER, text) else None
+    return (real(text),) * 3 if re.fullmatch(NUMBER, text) else None
 
 
 def points(base, query):
@@ -52,13 +58,20 @@ def points(base, query):
     found = base.execute(query)
     names, series = [name for name, *_ in found.description], {}
     for x, *name, y in found:
-        if (value := number(y)) is not None and x is not None:
+        if (value := number(y)) is not None:
             series.setdefault(name[0] if name else "", []).append((x, value))
+        elif y is not None and y not in OUTCOMES:
+            raise ValueError(f"'{y}' is no number: {query}")
     return names, series
 
 
 def logarithmic(values, span=SPAN):
-    return min(values) > 0 and max(values) > span * min(values)
+    positive = [value for value in values if value > 0]
+    if min(values) < 0 or not positive or max(positive) <= span * min(positive):
+        return False
+    if min(values) == 0:
+        raise ValueError(f"a zero on a logarithmic axis: {sorted(values)}")
+    return True
 
 
 def heights(series):
@@ -73,11 +86,11 @@ def errors(values):
 
 def draw_lines(axes, series):
     for (name, rows), marker in zip(series.items(), MARKERS * len(series)):
-        rows = sorted((float(x), y) for x, y in rows)
+        rows = sorted((number(x)[1], y) for x, y in rows)
         values = [y for _, y in rows]
         axes.errorbar([x for x, _ in rows], [y for _, y, _ in values], yerr=errors(values), marker=marker, ms=4, capsize=2,
                       label=name)
-    places = sorted({float(x) for rows in series.values() for x, _ in rows})
+    places = sorted({number(x)[1] for rows in series.values() for x, _ in rows})
     if logarithmic(places, 4 if logarithmic(heights(series)) else SPAN):
         axes.set_xscale("log")
         if len(places) <= 8:

@@ -4,17 +4,22 @@ import csv
 import importlib.machinery
 import importlib.util
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 from cohesion_tests import csv_table
 from cohesion_tests.theory import hertzian_laws
 
 SOURCE = Path(sys.argv[1])
 TABLES = SOURCE / "docs/verification"
-WITHOUT_PROGRAM = {"published_cases"}  # of literature, pages and tests
+WITHOUT_PROGRAM = {"published_cases"}
+# What the source of a program has if its rows are ...
+HOW = {"entered": r"\bcsv_table\.enter|\benter_quantities\(", "written": r"csv|--table|def rows\(",
+       "printed": r"\b(print|report)\(|\bexpect_", "checked": r"assert|EXPECT_"}
 
 
 def program(name):
@@ -70,6 +75,23 @@ class Entered(unittest.TestCase):
         self.file.write_text("table,case,quantity,value\nt,c,q,1\n")
         csv_table.enter_quantities(self.file, "t", "c", {"q": 2, "r": 3})
         self.assertEqual(self.file.read_text(), "table,case,quantity,value\nt,c,q,2\nt,c,r,3\n")
+
+    def test_options_that_no_column_has(self):
+        words = SimpleNamespace(csv="table.csv", side=5, diameter=[75e-6])
+        csv_table.require_published(words, side=5, diameter=[75e-6])
+        csv_table.require_published(SimpleNamespace(csv=None, side=6), side=5)
+        with self.assertRaisesRegex(SystemExit, "--csv: with --side 6"):
+            csv_table.require_published(words, side=6, diameter=[75e-6])
+        with self.assertRaisesRegex(SystemExit, "--csv: with --diameter 1e-05 0.001"):
+            csv_table.require_published(words, diameter=[1e-5, 1e-3])
+
+    def test_processes_that_enter_at_once(self):
+        self.file.write_text("a,value\n")
+        code = ("import sys; from cohesion_tests import csv_table\n"
+                "for n in range(20): csv_table.enter(sys.argv[1], {'a': f'{sys.argv[2]} {n}'}, value='1')")
+        for process in [subprocess.Popen([sys.executable, "-c", code, self.file, name]) for name in "xyz"]:
+            self.assertEqual(process.wait(), 0)
+        self.assertEqual(len(csv_table.rows(self.file)), 60)
 
     def test_numbers(self):
         self.assertEqual([csv_table.power(1.4e6), csv_table.power(3.19e-4, 2), csv_table.power(0)],
@@ -149,7 +171,7 @@ class Programs(unittest.TestCase):
 
 
 class Sources(unittest.TestCase):
-    """benchmarks/tables.csv names the program of each row of each table; without a name no program measures the rows."""
+    """benchmarks/tables.csv names the program of each row of each table, and how its values come into the table."""
 
     def setUp(self):
         self.sources = csv_table.rows(SOURCE / "benchmarks/tables.csv")
@@ -168,12 +190,12 @@ class Sources(unittest.TestCase):
             self.assertEqual(sum(map(len, found)), len(rows(table)), table)
             self.assertEqual(len(set.union(*found)), len(rows(table)), table)
 
-    def test_programs_write_tables(self):
-        tables = (SOURCE / "benchmarks/benchmarks.py").read_text()
-        for name in {source["program"] for source in self.sources} - {""}:
-            text = (SOURCE / name).read_text()
-            if name.startswith("benchmarks"):
-                self.assertTrue("csv" in text or "--table" in text or f'"{Path(name).stem}"' in tables, name)
+    def test_programs_do_what_the_table_says(self):
+        for source in self.sources:
+            if source["program"]:
+                self.assertRegex((SOURCE / source["program"]).read_text(), HOW[source["how"]], source)
+            else:
+                self.assertIn(source["how"], ("literature", "by hand"), source)
 
 
 if __name__ == "__main__":

@@ -74,7 +74,18 @@ class Charts(unittest.TestCase):
         self.assertEqual(charts.number("1.5 +- 0.5"), (1.0, 1.5, 2.0))
         self.assertEqual(charts.number("2 (1 to 4)"), (1.0, 2.0, 4.0))
         self.assertEqual(charts.number("-1e-3"), (-1e-3,) * 3)
-        self.assertIsNone(charts.number("stops"))
+        self.assertEqual(charts.number("20,400"), (20400.0,) * 3)
+        self.assertIsNone(charts.number("7.0, 8"))
+
+    def test_what_is_no_number(self):
+        base = sqlite3.connect(":memory:")
+        _, series = charts.points(base, "select 1 as x, 'stops' as y union select 2, null union select 3, '4'")
+        self.assertEqual(series, {"": [(3, (4.0,) * 3)]})
+        with self.assertRaisesRegex(ValueError, "'7.0, 8' is no number"):
+            charts.points(base, "select 1 as x, '7.0, 8' as y")
+        with self.assertRaisesRegex(ValueError, "a zero on a logarithmic axis"):
+            charts.logarithmic([0.0, 1e-3, 1.0])
+        self.assertEqual([charts.logarithmic([0.0, 1.0]), charts.logarithmic([-1.0, 1e-3, 1.0])], [False, False])
 
     def test_lines_bars_and_points(self):
         line = charts.draw(["step", "scheme", "error"], {"a": [("10", (1.0,) * 3), ("20", (1e-3,) * 3)]}).axes[0]

@@ -4,7 +4,7 @@ presses (cohesion_tests/contact_errors.py)."""
 import unittest
 from pathlib import Path
 
-from cohesion_tests import lammps
+from cohesion_tests import csv_table, lammps
 from cohesion_tests.contact_errors import Orders
 from cohesion_tests.theory import stacked_spheres as theory
 
@@ -48,6 +48,10 @@ def rows(scheme, e, dt, steps, heights, top, output):
 
 class Lammps(Orders, unittest.TestCase):
     schemes = ("exact", "sampled")
+
+    def enter(self, quantity, step, value):
+        csv_table.enter(csv_table.of_test("contact_motion"),
+                        {"measurement": "persistent contacts", "quantity": quantity, "step": step}, value=value)
 
     def stack(self, scheme, e, dt, every, steps):
         output = ("variable a equal z[1]\nvariable b equal z[2]\n"

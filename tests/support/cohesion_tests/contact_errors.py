@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from cohesion_tests import csv_table
+from cohesion_tests.csv_table import power
 from cohesion_tests.theory import stacked_spheres as theory
 
 #: Contact times over the step.
@@ -35,14 +35,11 @@ def bounced_height(bounces, height, number, per_contact):
     return late[late[:, 0] > 0.2 * height, 1]  # clear of the steps in which it leaves the plate
 
 
-def enter(quantity, step, value):
-    """Into contact_motion.csv."""
-    csv_table.enter(csv_table.of_test("contact_motion"),
-                    {"measurement": "persistent contacts", "quantity": quantity, "step": step}, value=value)
-
-
 class Orders:
     """Mixed into a TestCase with `stack`, `overlap` and `schemes`."""
+
+    def enter(self, quantity, step, value):
+        """Into contact_motion.csv, in the engine whose rows it has."""
 
     def test_order_of_several_contacts_of_a_sphere(self):
         """Second without dashpots, first with: the engine's velocities are those of the half step before."""
@@ -54,8 +51,8 @@ class Orders:
                       ", ".join(f"t_c/{n} {error:.2g}" for n, error in zip(RESOLUTIONS, errors)), f"order {found:.2f}")
                 quantity = f"error of a height over the amplitude, {scheme}, restitution {e}"
                 for n, error in zip(RESOLUTIONS, errors):
-                    enter(quantity, f"t_c/{n}", csv_table.power(error))
-                enter(quantity, "order", f"{found:.2f}")
+                    self.enter(quantity, f"t_c/{n}", power(error))
+                self.enter(quantity, "order", f"{found:.2f}")
                 # The other order would be off by 1. With alpha dt = 0.05 at the longest step the next order adds a
                 # twentieth to the first, and 0.05 to the fitted exponent; 0.3 is six times that.
                 self.assertAlmostEqual(found, order, delta=0.3, msg=(scheme, e))
@@ -87,5 +84,5 @@ class Orders:
                 self.assertAlmostEqual(more[e], expected if scheme == "exact" else 0, delta=0.02, msg=(scheme, e))
                 if scheme == "exact":
                     self.assertAlmostEqual(more[e], listed, delta=0.051, msg=e)
-                    enter(f"overlap in excess of F/K [%], restitution {e}", "t_c/10", f"{more[e]:.2f}")
+                    self.enter(f"overlap in excess of F/K [%], restitution {e}", "t_c/10", f"{more[e]:.2f}")
             print(f"{scheme}: a load presses more than F/K [%]", ", ".join(f"e {e} {x:.2f}" for e, x in more.items()))

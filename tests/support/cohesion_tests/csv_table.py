@@ -2,9 +2,11 @@
 """Enters what a benchmark measures into a CSV file of docs/verification (option --csv), and what a test measures into
 the file of that name in the folder COHESION_CSV."""
 import csv
+import fcntl
 import math
 import os
 import re
+from contextlib import contextmanager
 from pathlib import Path
 
 from cohesion_tests.theory.slow_ramp import DIVISIONS
@@ -17,17 +19,41 @@ def add_to(parser):
     parser.add_argument(OPTION[0], **OPTION[1])
 
 
+def require_published(words, **published):
+    """Ends the program where --csv would enter results of options that no column of the table has."""
+    for name, value in published.items():
+        if words.csv and getattr(words, name) != value:
+            text = " ".join(map(str, value)) if isinstance(value, list) else value
+            raise SystemExit(f"--csv: with --{name} {text}")
+
+
 def of_test(table):
     """File of a table in the folder of the variable COHESION_CSV; none without."""
     folder = os.environ.get("COHESION_CSV")
     return Path(folder) / f"{table}.csv" if folder else None
 
 
+@contextmanager
+def locked(folder):
+    """Against other processes that enter into files of the folder."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(descriptor)
+
+
 def enter(file, row, key=None, **measured):
     """Sets the columns `measured` of the row whose other columns, or those of `key`, are those of `row`, or empty; adds it
     at the end if the file has none. Without a file, nothing."""
-    if not file:
-        return
+    if file:
+        file = Path(file).resolve()
+        with locked(file.parent):
+            enter_alone(file, row, key, measured)
+
+
+def enter_alone(file, row, key, measured):
     with open(file, newline="") as lines:
         names, *rows = csv.reader(lines)
     unknown = (row.keys() | measured.keys()) - set(names)
@@ -40,8 +66,10 @@ def enter(file, row, key=None, **measured):
         rows.append(found := wanted)
     for name, value in measured.items():
         found[names.index(name)] = value
-    with open(file, "w", newline="") as lines:
+    new = file.with_name(file.name + ".new")
+    with open(new, "w", newline="") as lines:
         csv.writer(lines, lineterminator="\n").writerows([names, *rows])
+    os.replace(new, file)
 
 
 def rows(file):

@@ -35,12 +35,6 @@ up would overlap by half a radius. Without a reference the finer run warned of r
 Cells have the numbers of cases: pair, wall, three spheres.
 
 {numbers}
-
-<!-- chart Share of the cases with a result that are correct
-select model, `case` as scene, 1.0 * correct / (correct + `incorrect, warned` + `incorrect, warned for other contacts`
-    + `incorrect, no warning`) as "share of the cases with a result that are correct"
-from liggghts_extremes
--->
 """
 POINTS = """
 ## Points
