@@ -9,9 +9,9 @@
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
 fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy
 tally does not account for, over the largest kinetic energy, in all of the run and in its second half, when
-the bed rests; seconds of processor time. Of several beds (--beds), of seeds from --seed on: what they have in
-the last fifth, median, quartiles, least and most, since what is left differs from bed to bed by far more than
-from scheme to scheme. --law: contacts and adhesion of theory/hertzian_laws.py, scheme exact only; with
+the bed rests; seconds of processor time, which LIGGGHTS does not report ('-'). Of several beds (--beds), of
+seeds from --seed on: what they have in the last fifth, median, quartiles, least and most, since what is left
+differs from bed to bed by far more than from scheme to scheme. --law: contacts and adhesion of theory/hertzian_laws.py, scheme exact only; with
 adhesion a rolling friction of 0.01, since spheres that hang in one contact roll on without loss. In LIGGGHTS scheme
 exact only.
 """
@@ -23,6 +23,7 @@ from cohesion_tests import csv_table, lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import settling_spheres as settling
 from cohesion_tests.progress import Progress
 from cohesion_tests.theory import hertzian_laws
+from cohesion_tests.thermo import shown_seconds
 
 SAMPLED = 50  # steps per contact time
 WEIGHTS = 0, 1, 20
@@ -45,7 +46,8 @@ def show_bed(run, words, ratio):
         for quantity, value in {"whole run": residual[-1], "at rest": at_rest, **last}.items():
             csv_table.enter(words.csv, row(f"settling, {quantity}", run[1], words, ratio), value=f"{value:.1e}")
     return ("".join(f"{k:10.1e}" for k in fifths(table)) + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
-            + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "exact" else f"{'':22s}") + f"{seconds:9.1f}")
+            + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "exact" else f"{'':22s}")
+            + shown_seconds(seconds, 9, 1))
 
 
 def row(quantity, division, words, ratio):
@@ -64,7 +66,7 @@ def show_beds(run, words, ratio):
         last.append(fifths(table)[-1])
         seconds += took
     least, low, median, high, most = numpy.quantile(last, [0, 0.25, 0.5, 0.75, 1])
-    return "".join(f"{k:10.1e}" for k in (median, low, high, least, most)) + f"{seconds:9.1f}"
+    return "".join(f"{k:10.1e}" for k in (median, low, high, least, most)) + shown_seconds(seconds, 9, 1)
 
 
 def follow(folder, run, words, ratio):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What tests want of the thermo output of a run of LAMMPS or LIGGGHTS."""
+import math
 import re
 
 import numpy
@@ -30,6 +31,11 @@ def loop_seconds(output, run=-1):
 
 
 def processor_seconds(output, run=-1):
-    """That it took of a processor [s]."""
+    """That it took of a processor [s]; nan in LIGGGHTS, which reports only the time by the clock."""
     percent = re.findall(r"([\d.]+)% CPU", output)
-    return loop_seconds(output, run) * (float(percent[run]) / 100 if percent else 1.0)
+    return loop_seconds(output, run) * float(percent[run]) / 100 if percent else math.nan
+
+
+def shown_seconds(seconds, width, digits):
+    """For a column of a table; '-' where it is not known."""
+    return f"{'-':>{width}s}" if math.isnan(seconds) else f"{seconds:{width}.{digits}f}"
