@@ -29,10 +29,12 @@ void set_normal_losses(const Solver& solver, const SolvedStep& step, ContactEner
   if (!step.first) energies.exchanged = solver.exchanged(step.used(), step.before);
 }
 
-/// The same of a contact that was persistent in the last step and is so in this one.
+/// The same of a contact that was persistent in the last step and is so in this one: sets the
+/// losses before and after the time level and the exchanged energy, all of the normal motion.
 [[gnu::always_inline]] inline void set_persistent_losses(const PersistentStep& step,
                                                          ContactEnergies& energies) {
   energies.before.normal_damping = step.dissipated;
+  energies.after.normal_damping = 0.0;
   energies.exchanged = step.exchanged;
 }
 
