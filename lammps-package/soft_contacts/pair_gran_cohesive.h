@@ -75,6 +75,8 @@ class PairGranCohesive : public Pair, public BoundPairs, public SoftContactStyle
   bool bound_pairs_are_read() const;
   template <class Contact>
   PairContacts<Contact> contacts_of_run();
+  /// Throws where no run has begun.
+  auto& contacts_by_scheme() { return pair_contacts.value(); }
   cohesion::Vector3 separation(int i, int j) const;
   double distance(int i, int j) const;
   bool moves(int i, int j) const;
