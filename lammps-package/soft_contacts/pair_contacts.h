@@ -2,7 +2,6 @@
 #ifndef COHESION_PAIR_CONTACTS_H
 #define COHESION_PAIR_CONTACTS_H
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -11,6 +10,8 @@
 
 #include "atom.h"
 #include "contact/contact_parameters.h"
+#include "contact_solver/pair_motion.h"
+#include "contact_solver/relative_state.h"
 #include "contact_step/close_pairs.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"

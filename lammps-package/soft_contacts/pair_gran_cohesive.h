@@ -17,6 +17,12 @@
 #include "soft_contacts/pair_contacts.h"
 #include "soft_contacts/pair_history.h"
 
+namespace cohesion::advice {
+struct AdvisedContact;
+struct LightestParticle;
+class WarningFilter;
+}  // namespace cohesion::advice
+
 namespace LAMMPS_NS {
 
 /// Spheres with a linear, Hertzian or JKR contact, friction and a cohesion, in the exact or the
