@@ -79,7 +79,7 @@ class PairContacts : protected Pointers {
     last_.assign((types_ + 1) * (types_ + 1), NONE);
   }
   /// The contact of two particles of which at least one moves.
-  const Contact& between(int i, int j) { return all_[index(particles(), i, j)]; }
+  const Contact& between(int i, int j) { return all_[index_of(particles(), i, j)]; }
 
   /// Computes the contacts of `pairs` in this step. `size`: ContactHistory::Size with which they
   /// are computed; `only_law`: of all contacts, if they have the same; `tallies`: whether outputs
@@ -96,7 +96,7 @@ class PairContacts : protected Pointers {
   }
   /// The index of the contact of a pair; consecutive pairs of equal particles share one. NONE: no
   /// fix moves either particle.
-  [[gnu::always_inline]] int index(const StaggeredParticles& particles, int i, int j) {
+  [[gnu::always_inline]] int index_of(const StaggeredParticles& particles, int i, int j) {
     const int types = particles.type[i] * (types_ + 1) + particles.type[j];
     const int last = last_[types];
     if (last != NONE && all_[last].is_between(particles.body(i), particles.body(j))) return last;
