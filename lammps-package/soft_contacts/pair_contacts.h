@@ -51,9 +51,9 @@ struct StaggeredPair {
 };
 
 /// The contacts of a pair style and their part of a step. `Contact`: ExactContact or
-/// SampledContact, with a solver. What scripts say about the contacts stays in the pair style
-/// (pair_gran_cohesive.h): this class needs neither its law nor its keywords. A unit of its own
-/// instantiates it for each solver: hamaker_step.cpp and its like, with pair_contacts_step.h.
+/// SampledContact, with a solver. The keywords are read in the pair style (pair_gran_cohesive.h):
+/// this class needs neither them nor the law. A unit of its own instantiates it for each solver, as
+/// hamaker_step.cpp does, with pair_contacts_step.h.
 template <class Contact>
 class PairContacts : protected Pointers {
  public:

@@ -43,7 +43,8 @@ template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
                        ContactEnergies& energies) {
   StoredEnergies& stored = energies.stored;
-  // As resolve() does: what came into range within the last step has stored nothing yet.
+  // As resolve() does: a pair that came into range within the last step has stored
+  // nothing yet.
   const bool found_in_range =
       step.before.phase == ContactState::unknown &&
       step.at.stands_within(solver.entry_distance(), step.first ? 0.0 : solver.step());
