@@ -162,6 +162,17 @@ const double* ExactContacts::last_record(const ContactModels::SurfacesCloseData&
   return before ? before + offset_ : nullptr;
 }
 
+void ExactContacts::set_stored(const ContactSolver& solver,
+                               const ContactModels::SurfacesIntersectData& contact,
+                               double last_rate, const ContactState& after,
+                               ContactEnergies& energies) const {
+  ContactState before = ContactState::stored_persistent(contact.contact_history + offset_);
+  before.last_rate = last_rate;
+  const StaggeredMotion at = motion(contact, contact.r, contact.en);
+  set_normal_stored(solver, {at, 0.0, false, before, after, after.force, 0.0}, contact.radsum,
+                    energies);
+}
+
 bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
                             const double* normal, ContactStep& step, ContactEnergies* energies,
                             bool with_stored) {

@@ -9,7 +9,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "atom.h"
@@ -18,7 +17,6 @@
 #include "contact_range.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/contact_state.h"
-#include "contact_solver/linear_contact.h"
 #include "contact_solver/normal_energies.h"
 #include "contact_solver/pair_motion.h"
 #include "fix_accelerations.h"
@@ -67,13 +65,14 @@ class ExactContacts {
 
   /// A step of a contact that was persistent in the last step and stays so, with its friction:
   /// sets `force` on i, away from j or the wall. False, and nothing done, where that is not
-  /// certain. `energies`: of the normal motion; null: not needed; `with_stored`: whether stored
-  /// energies are evaluated, too.
+  /// certain. `energies`: may hold values of another contact; all losses of the normal motion
+  /// are set, its stored energies only if `with_stored`; null: not needed.
   bool advance_persistent(ContactModels::SurfacesIntersectData& contact, double* spring,
                           double& force, ContactEnergies* energies, bool with_stored);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
-  /// `step` of no meaning: the contact does nothing. `energies` and `with_stored` as above.
+  /// `step` of no meaning: the contact does nothing. `energies`: zero; null: not needed.
+  /// `with_stored`: whether stored energies are evaluated, too.
   bool advance(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
                cohesion::contact_solver::ContactStep& step, ContactEnergies* energies,
                bool with_stored);
@@ -166,6 +165,10 @@ class ExactContacts {
   }
   double acceleration(const ContactModels::SurfacesCloseData& d,
                       const cohesion::Vector3& normal) const;
+  /// Sets the stored energies of a step of advance_persistent(). `last_rate`: of the distance, with
+  /// the impulse of the wall; `after`: the state that the solver left.
+  void set_stored(const ContactSolver& solver, const ContactModels::SurfacesIntersectData& contact,
+                  double last_rate, const ContactState& after, ContactEnergies& energies) const;
   bool repeat(const CachedContact& k, const ContactModels::SurfacesCloseData& d,
               cohesion::contact_solver::ContactStep& step, ContactState& state) const;
   bool was_in_range(const ContactModels::SurfacesCloseData&) const;
@@ -223,23 +226,12 @@ inline bool ExactContacts::advance_persistent(ContactModels::SurfacesIntersectDa
   const double speed_squared = contact.is_wall ? rate * rate : dot(w, w);
   const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
       contact.r, contact.rinv, rate, speed_squared, k->solver->step());
-  // The most frequent one is worth a call of its own. It needs no energy at touch.
-  const auto* const linear =
-      std::get_if<cohesion::contact_solver::LinearContact>(&k->solver->contact());
-  if (linear ? !k->solver->advance_persistent(*linear, distance, 0.0, state, step)
-             : !k->solver->advance_persistent(distance, state, step))
-    return false;
+  const double last_rate = state.last_rate;
+  if (!k->solver->advance_persistent(distance, state, step)) return false;
   if (state.phase != ContactState::persistent) return false;
   if (energies) {
     set_persistent_losses(step, *energies);
-    energies->after.normal_damping = 0.0;  // of another contact
-    if (with_stored) {
-      ContactState before = ContactState::stored_persistent(history);
-      if (contact.is_wall) pass_wall(contact, contact.en, history, before);
-      const StaggeredMotion at = motion(contact, contact.r, contact.en);
-      set_normal_stored(*k->solver, {at, 0.0, false, before, state, state.force, 0.0},
-                        contact.radsum, *energies);
-    }
+    if (with_stored) set_stored(*k->solver, contact, last_rate, state, *energies);
   }
   force = state.force;
   set_friction(contact, *k, step, time_apart, spring);

@@ -64,9 +64,6 @@ class LiquidBridgeAttraction : public CohesionDefaults {
  private:
   // What is remembered of a contact; the last beside walls alone, for contacts with meshes.
   enum { BRIDGED, LAST_STEP };
-  /// How far beyond the gap of rupture the model sees, over the radius: a pair whose bridge broke
-  /// must be seen so.
-  static constexpr double MARGIN = 0.01;
 
   bool was_bridged(const Encounter& encounter) const;
   void fill(PropertyRegistry& registry);

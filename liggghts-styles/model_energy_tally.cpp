@@ -77,7 +77,8 @@ void ModelEnergyTally::add(const ContactModels::SurfacesIntersectData& d,
   c.force = vector(on_i.delta_F);
   if (models.displacement >= 0)
     c.without_dashpot = d.kt * vector(d.contact_history + models.displacement);
-  if (models.displacement < 0 || models.rolls || d.is_wall) add_rare(d, on_i, on_j, models);
+  if (models.displacement < 0 || !d.shearupdate || models.rolls || d.is_wall)
+    add_rare(d, on_i, on_j, models);
 }
 
 void ModelEnergyTally::grow_and_add(const ContactModels::SurfacesIntersectData& d,
@@ -92,11 +93,13 @@ void ModelEnergyTally::add_rare(const ContactModels::SurfacesIntersectData& d,
                                 const ContactModels::ForceData& on_i,
                                 const ContactModels::ForceData& on_j, const OtherModels& models) {
   Touching& c = touching_[contacts_ - 1];
-  if (models.displacement < 0) {
-    cohesion::contact::SampledForces& f = c.forces;
-    f.without_dashpot = cohesion::contact::dashpot_acts(f.force, d.gammat, {d.vtr1, d.vtr2, d.vtr3})
-                            ? Vector3{}
-                            : dot(f.force, f.normal) * f.normal - f.force;
+  cohesion::contact::SampledForces& f = c.forces;
+  if (models.displacement < 0) f.without_dashpot = {};
+  // In a set-up the engine does not shorten the spring of a contact that slides.
+  if (models.displacement < 0 || !d.shearupdate) {
+    const Vector3 by_dashpot = f.force + f.without_dashpot, slip{d.vtr1, d.vtr2, d.vtr3};
+    if (!cohesion::contact::dashpot_acts(by_dashpot, d.gammat, slip))
+      f.without_dashpot = dot(f.force, f.normal) * f.normal - f.force;
   }
   if (models.rolls) add_rolling(d, on_i, on_j, c);
   if (d.is_wall) add_wall(d, on_i, c);

@@ -3,11 +3,8 @@
 #define COHESION_SOFT_CONTACT_STYLE_H
 
 namespace cohesion::advice {
-struct AdvisedContact;
-struct LightestParticle;
 struct RunConditions;
 struct StickingRules;
-class WarningFilter;
 }  // namespace cohesion::advice
 
 namespace LAMMPS_NS {

@@ -24,7 +24,8 @@ struct SchemeLimits;
 namespace LAMMPS_NS {
 
 /// How the motion of contacts is integrated; to add a scheme: its pair in src/contact_solver, its
-/// row in `schemes`, its alternative in PairGranCohesive and FixWallGranCohesive.
+/// row in `schemes`, its alternative in PairGranCohesive and FixWallGranCohesive, and the
+/// instantiation of its PairContacts (soft_contacts/*_step.cpp).
 enum class Scheme { exact, sampled };
 
 /// What `scheme name` says.

@@ -31,9 +31,9 @@ Core mixed_law(const Core& a, const Core& b) {
 ///   Sampled                       of src/sampled_contact: its normal motion in scheme sampled
 ///   keywords()                    of pair_coeff and of the fix, which set Parameters::law
 ///
-/// and hides what is different with it. Its row in cohesion_laws.h makes it known. Units of their
-/// own compile the steps of a Solver (as liquid_bridge_step.cpp) and of a Sampled
-/// (sampled_step.cpp).
+/// and hides what is different with it. Its row in cohesion_laws.h makes it known. A new Solver
+/// needs a file such as liquid_bridge_step.cpp, and a new Sampled a line in sampled_step.cpp, which
+/// instantiate the steps of its pairs.
 template <class Core>
 class CohesionLaw {
  public:

@@ -9,8 +9,9 @@
 #include "soft_contacts/liquid_bridge_cohesion.h"
 #include "soft_contacts/square_well_cohesion.h"
 
-// The laws of cohesion: from these rows come the pair styles, the fixes of walls, their explicit
-// instantiations and their names in messages. ROW(style, law).
+// The laws of cohesion: these rows generate the pair styles, the fixes of walls, their explicit
+// instantiations and their names in messages. ROW(style, law). The steps of pairs, PairContacts,
+// are instantiated in the files NAME_step.cpp.
 
 // clang-format off
 /// With a contact, for pairs and, as wall/style, for walls.

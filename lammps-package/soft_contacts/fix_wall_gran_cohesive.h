@@ -22,6 +22,12 @@
 #include "soft_contacts/wall_history.h"
 #include "update.h"
 
+namespace cohesion::advice {
+struct AdvisedContact;
+struct LightestParticle;
+class WarningFilter;
+}  // namespace cohesion::advice
+
 namespace LAMMPS_NS {
 
 /// Walls with the contact law of PairGranCohesive; a wall is a partner of infinite mass and radius.

@@ -2,7 +2,6 @@
 #ifndef COHESION_PAIR_CONTACTS_H
 #define COHESION_PAIR_CONTACTS_H
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -11,6 +10,8 @@
 
 #include "atom.h"
 #include "contact/contact_parameters.h"
+#include "contact_solver/pair_motion.h"
+#include "contact_solver/relative_state.h"
 #include "contact_step/close_pairs.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"
@@ -50,9 +51,9 @@ struct StaggeredPair {
 };
 
 /// The contacts of a pair style and their part of a step. `Contact`: ExactContact or
-/// SampledContact, with a solver. What scripts say about the contacts stays in the pair style
-/// (pair_gran_cohesive.h): this class needs neither its law nor its keywords. A unit of its own
-/// instantiates it for each solver: hamaker_step.cpp and its like, with pair_contacts_step.h.
+/// SampledContact, with a solver. The keywords are read in the pair style (pair_gran_cohesive.h):
+/// this class needs neither them nor the law. A unit of its own instantiates it for each solver, as
+/// hamaker_step.cpp does, with pair_contacts_step.h.
 template <class Contact>
 class PairContacts : protected Pointers {
  public:
@@ -78,7 +79,7 @@ class PairContacts : protected Pointers {
     last_.assign((types_ + 1) * (types_ + 1), NONE);
   }
   /// The contact of two particles of which at least one moves.
-  const Contact& between(int i, int j) { return all_[index(particles(), i, j)]; }
+  const Contact& between(int i, int j) { return all_[index_of(particles(), i, j)]; }
 
   /// Computes the contacts of `pairs` in this step. `size`: ContactHistory::Size with which they
   /// are computed; `only_law`: of all contacts, if they have the same; `tallies`: whether outputs
@@ -95,7 +96,7 @@ class PairContacts : protected Pointers {
   }
   /// The index of the contact of a pair; consecutive pairs of equal particles share one. NONE: no
   /// fix moves either particle.
-  [[gnu::always_inline]] int index(const StaggeredParticles& particles, int i, int j) {
+  [[gnu::always_inline]] int index_of(const StaggeredParticles& particles, int i, int j) {
     const int types = particles.type[i] * (types_ + 1) + particles.type[j];
     const int last = last_[types];
     if (last != NONE && all_[last].is_between(particles.body(i), particles.body(j))) return last;

@@ -60,7 +60,7 @@ void PairContacts<Contact>::compute_by(const ClosePairs& pairs) {
     const bool sums_flux = std::is_same_v<By, ContactMotion> && step_->sums_flux();
     pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
       const int i = pair.i, j = pair.j;
-      const int index = this->index(now, i, j);
+      const int index = index_of(now, i, j);
       if (index == NONE) return hold(i, j, *pair.has_history, pair.history);
       const Contact& contact = all_[index];
       FrictionalStep result;

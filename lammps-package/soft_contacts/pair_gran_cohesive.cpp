@@ -195,7 +195,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     guarded(lmp, coefficients.message_prefix(), [this, size] {
       std::visit(
           [this, size](auto& c) { c.compute(close_pairs, size, coefficients.only_law(), evflag); },
-          *pair_contacts);
+          contacts_by_scheme());
     });
   });
 }

@@ -17,6 +17,12 @@
 #include "soft_contacts/pair_contacts.h"
 #include "soft_contacts/pair_history.h"
 
+namespace cohesion::advice {
+struct AdvisedContact;
+struct LightestParticle;
+class WarningFilter;
+}  // namespace cohesion::advice
+
 namespace LAMMPS_NS {
 
 /// Spheres with a linear, Hertzian or JKR contact, friction and a cohesion, in the exact or the
@@ -75,6 +81,8 @@ class PairGranCohesive : public Pair, public BoundPairs, public SoftContactStyle
   bool bound_pairs_are_read() const;
   template <class Contact>
   PairContacts<Contact> contacts_of_run();
+  /// Throws where no run has begun.
+  auto& contacts_by_scheme() { return pair_contacts.value(); }
   cohesion::Vector3 separation(int i, int j) const;
   double distance(int i, int j) const;
   bool moves(int i, int j) const;

@@ -81,7 +81,7 @@ void PairGranCohesive<Cohesion>::find_in_range() {
           has_history = !known.normal.is_outside() || near;
         });
       },
-      *pair_contacts);
+      contacts_by_scheme());
 }
 
 template <class Cohesion>
@@ -142,7 +142,7 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
           what(i, j, all.between(i, j), separation(i, j), ContactHistory::stored(values, per_pair));
         });
       },
-      *pair_contacts);
+      contacts_by_scheme());
 }
 
 /// The history of j in the list of i, or null.
@@ -181,7 +181,7 @@ double PairGranCohesive<Cohesion>::single(int i, int j, int, int, double rsq, do
                          ContactHistory::stored(values.data(), per_pair),
                          contact_step->forces_length());
       },
-      *pair_contacts);
+      contacts_by_scheme());
   over_distance = found.force / std::sqrt(rsq);
   if (single_extra > 0) {
     svector[0] = found.place;

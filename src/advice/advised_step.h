@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "advice/contact_report.h"
 #include "contact/contact_parameters.h"

@@ -24,8 +24,8 @@ inline double tangential_spring_energy(const Vector3& displacement, double stiff
   return 0.5 * stiffness * dot(displacement, displacement);
 }
 
-/// Whether the tangential dashpot acts in a contact without a tangential spring: it does not where
-/// the contact slides. `force`: on i, of which the part along the normal does not matter; `damping`
+/// Whether the tangential dashpot acts in a contact. A sliding contact has none. `force`: on i
+/// without the tangential spring, of which the part along the normal does not matter; `damping`
 /// [mass/time]; `slip`: velocity of i's surface against j's in the plane of contact. A contact
 /// sticks where the force is that of the dashpot within 1e-6, which is well above rounding.
 inline bool dashpot_acts(const Vector3& force, double damping, const Vector3& slip) {
@@ -45,7 +45,8 @@ struct SampledForces {
   Vector3 normal;  ///< from j, or the wall, to i
   Vector3 force;   ///< on i, of all models, [force]
   /// The reverse of the tangential force on i without its dashpot, [force]: K_t times the
-  /// displacement of the spring. A contact that slides has shortened it to the Coulomb force.
+  /// displacement of the spring, or the Coulomb force where the contact slides. In a step the
+  /// engine shortens the displacement to that force; in a set-up it does not.
   Vector3 without_dashpot;
   double lever_i, lever_j;  ///< from each centre to the point of contact, [length]
   double normal_dashpot;    ///< normal_dashpot(), [force]

@@ -62,6 +62,9 @@ class ContactSolver : public PairCourse {
   /// and nothing done, where that is not certain. The other forces are known from the motion.
   bool advance_persistent(const DistanceMotion& now, ContactState& state,
                           PersistentStep& step) const {
+    // The most frequent contact is worth a call of its own; it needs no energy at touch.
+    if (const auto* const linear = std::get_if<LinearContact>(&contact()))
+      return advance_persistent(*linear, now, 0.0, state, step);
     const double touch_energy = adhesion_energy(0.0);
     return std::visit(
         [&](const auto& by) { return advance_persistent(by, now, touch_energy, state, step); },

@@ -27,8 +27,9 @@ class ContactSpring {
     const ContactState& before;
     const ContactState& after;
     const ContactStep& step;
-    /// Twice the force that leads from the staggered to the true velocity at the time level.
-    double true_force;
+    /// The mean force of the contact in the half step before the time level, 2 mu offset/dt; 0 in
+    /// the first step of a run, [force].
+    double force_to_level;
     double friction_load;     ///< ContactSolver::friction_load(), [force]
     double overlap;           ///< [length]
     double overlap_before;    ///< at the time level before
@@ -149,8 +150,9 @@ class ContactSpring {
     Vector3 stretch{}, impulse;
     if (n.after.is_persistent()) {
       // A contact that begins at a time level begins with the true velocity.
-      const double limiting =
-          n.persisted() ? n.step.repulsion : 2.0 * n.step.force - n.true_force + n.friction_load;
+      const double limiting = n.persisted()
+                                  ? n.step.repulsion
+                                  : 2.0 * n.step.force - n.force_to_level + n.friction_load;
       impulse =
           spring.advance_persistent(touch.plane(), rate, limiting, n.persisted(), state, slips);
       stretch = state.stretch;
@@ -158,7 +160,7 @@ class ContactSpring {
       if (n.persisted()) {
         const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch);
         spring.advance_persistent(touch.plane(), rate, n.repulsion_before, true, state, slips);
-        spring.end_persistent(sticking, n.true_force + n.friction_load, state);
+        spring.end_persistent(sticking, n.force_to_level + n.friction_load, state);
         stretch = state.stretch;
       } else if (n.touches()) {
         stretch = touch.plane().turned_into(state.stretch);

@@ -29,10 +29,12 @@ void set_normal_losses(const Solver& solver, const SolvedStep& step, ContactEner
   if (!step.first) energies.exchanged = solver.exchanged(step.used(), step.before);
 }
 
-/// The same of a contact that was persistent in the last step and is so in this one.
+/// The same of a contact that was persistent in the last step and is so in this one: sets the
+/// losses before and after the time level and the exchanged energy, all of the normal motion.
 [[gnu::always_inline]] inline void set_persistent_losses(const PersistentStep& step,
                                                          ContactEnergies& energies) {
   energies.before.normal_damping = step.dissipated;
+  energies.after.normal_damping = 0.0;
   energies.exchanged = step.exchanged;
 }
 
@@ -41,7 +43,8 @@ template <class Solver>
 void set_normal_stored(const Solver& solver, const SolvedStep& step, double contact_distance,
                        ContactEnergies& energies) {
   StoredEnergies& stored = energies.stored;
-  // As resolve() does: what came into range within the last step has stored nothing yet.
+  // As resolve() does: a pair that came into range within the last step has stored
+  // nothing yet.
   const bool found_in_range =
       step.before.phase == ContactState::unknown &&
       step.at.stands_within(solver.entry_distance(), step.first ? 0.0 : solver.step());
