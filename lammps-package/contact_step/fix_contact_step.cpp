@@ -8,6 +8,7 @@
 #include "comm.h"
 #include "common/energy_tally_of_runs.h"
 #include "common/renumbering.h"
+#include "contact_solver/flux_parts.h"
 #include "contact_step/altered_particles.h"
 #include "contact_step/soft_contact_style.h"
 #include "domain.h"
@@ -46,6 +47,7 @@ FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
       last(lammps, LAST),
       accelerations(lammps, 3),
       flux_readers(std::make_shared<char>()),
+      flux_parts(std::make_unique<cohesion::contact_solver::FluxParts>()),
       mobile(std::make_unique<MobileParticles>()) {
   nevery = 1;
   comm_forward = 1 + AlteredParticles::EACH;

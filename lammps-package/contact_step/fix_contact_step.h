@@ -16,13 +16,16 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #include "atom.h"
 #include "contact/contact_parameters.h"
 #include "contact_solver/energy_sums.h"
-#include "contact_solver/flux_parts.h"
 #include "contact_solver/pair_motion.h"
 #include "contact_step/contact_energy_tally.h"
 #include "contact_step/contact_impulses.h"
 #include "domain.h"
 #include "engine/atom_numbers.h"
 #include "fix.h"
+
+namespace cohesion::contact_solver {
+struct FluxParts;
+}
 
 namespace LAMMPS_NS {
 
@@ -140,7 +143,10 @@ class FixContactStep : public Fix {
   ContactEnergyTally energy_tally;
 
   /// Momentum fluxes of pairs, summed up as long as a handle of add_flux_reader() exists.
-  cohesion::contact_solver::FluxParts flux;
+  const cohesion::contact_solver::FluxParts& flux() const { return *flux_parts; }
+  /// Adds to them, as FluxParts::add().
+  void add_flux(double fraction, const cohesion::Vector3& separation, const cohesion::Vector3& on_j,
+                const cohesion::Vector3& by_contact);
   [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
@@ -241,6 +247,7 @@ class FixContactStep : public Fix {
   double unresolved = 0.0;                  // contacts not resolved to the end of a step, this run
   ContactEnergyTally::Reader flux_readers;  // its use count is the number of readers
   bool flux_wanted = false;
+  std::unique_ptr<cohesion::contact_solver::FluxParts> flux_parts;  // flux()
   std::unique_ptr<MobileParticles> mobile;
 };
 

@@ -4,6 +4,7 @@
 
 #include "atom.h"
 #include "common/energy_tally_of_runs.h"
+#include "contact_solver/flux_parts.h"
 #include "contact_step/fix_contact_step.h"
 #include "engine/gravity.h"
 #include "modify.h"
@@ -23,6 +24,11 @@ void FixContactStep::update_readers() {
   const bool read = starting || resuming || reads_energy_tally(modify, now) || may_end_here();
   energy_tally.update_readers(may_be_continued, read);
   flux_wanted = flux_readers.use_count() > 1;
+}
+
+void FixContactStep::add_flux(double fraction, const Vector3& separation, const Vector3& on_j,
+                              const Vector3& by_contact) {
+  flux_parts->add(fraction, separation, on_j, by_contact);
 }
 
 /// Whether a fix halt may end the run with this step.

@@ -16,7 +16,7 @@ ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
     : ComputeFluxTotals(lammps, narg, arg, cohesion::contact_solver::FluxParts::parts),
       step(FixContactStep::of(lammps)) {
   reader = step->add_flux_reader();
-  before = step->flux;
+  before = step->flux();
 }
 
 /// Totals that stay 0 beside other pairs would be taken for a stress of 0.
@@ -38,7 +38,7 @@ void ComputeGranStress::init() {
 }
 
 const cohesion::MomentumFlux* ComputeGranStress::totals() {
-  since = step->flux;
+  since = step->flux();
   for (std::size_t part = 0; part < since.of.size(); part++)
     for (std::size_t k = 0; k < since.of[part].size(); k++) since.of[part][k] -= before.of[part][k];
   return since.of.data();

@@ -82,7 +82,7 @@ template <class Contact>
 [[gnu::noinline]] void PairContacts<Contact>::add_flux(double fraction, const PairMotion& now,
                                                        const Contact& c,
                                                        const FrictionalStep& result) {
-  step_->flux.add(fraction, now.relative.separation, result.action.impulse,
+  step_->add_flux(fraction, now.relative.separation, result.action.impulse,
                   c.by_contact(now, result));
 }
 

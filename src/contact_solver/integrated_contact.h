@@ -60,7 +60,7 @@ class IntegratedContact {
   double friction_load() const { return friction_load_; }
   bool advance_whole_step(Overlap& s, double outward, NormalRecord& record) const {
     if (!(s.x > lowest_)) return false;
-    ContactPath path{s, law_.at(s.x), 0.0};
+    ContactPath path{s, law_.at(s.x)};
     for (int k = 0; k < substeps; k++) {
       const Overlap before = path.s;
       move(path, step_ / substeps, pull_ - outward);
@@ -74,18 +74,15 @@ class IntegratedContact {
     const int steps = std::max(1, static_cast<int>(std::ceil(substeps * time / step_ - 1e-9)));
     // Rounding may place a pair that has just touched below the lowest overlap.
     s.x = std::max(s.x, lowest_);
-    ContactPath path{s, law_.at(s.x), 0.0};
+    ContactPath path{s, law_.at(s.x)};
     for (int k = 0; k < steps; k++) {
       const ContactPath before = path;
       move(path, time / steps, drive);
       if (!may_part(before.s, path.s)) continue;
-      const Parting parting = part(before, drive);
-      if (parting.speed > 0.0) {
-        const double taken = k * time / steps + std::min(parting.time, time / steps);
-        path = {{lowest_, -parting.speed},
-                at_lowest_,
-                before.dissipated + parting.dissipated + at_lowest_.energy};
-        record_contact(s, path, taken, drive, record);
+      const ContactPath parted = part(before, drive);
+      if (parted.s.v < 0.0) {
+        const double taken = k * time / steps + std::min(parted.time, time / steps);
+        record_contact(s, parted, taken, drive, record);
         return taken;
       }
       // The energy does not suffice: it turns within the contact.
@@ -172,11 +169,12 @@ class IntegratedContact {
   /// discrete motion to be taken for it.
   static constexpr double trusted = 0.5;
 
-  /// Through a contact: what is reached, the law there, and what the dashpot has taken.
+  /// Through a contact: what is reached, the law there, and what the dashpot has dissipated.
   struct ContactPath {
     Overlap s;
     contact::LawPoint at;
-    double dissipated;
+    double dissipated = 0.0;  ///< [energy]
+    double time = 0.0;        ///< of the way to parting, [time]
   };
   /// A persistent contact at the next time level.
   struct Arrival {
@@ -187,10 +185,6 @@ class IntegratedContact {
     double energy_left;    ///< twice that of the motion along the normal per mass, undamped
     double dissipated;     ///< since the last time level, [energy]
     double radius_stiffness_before;
-  };
-  /// How a pair parts; speed 0: it does not.
-  struct Parting {
-    double speed, time, dissipated;
   };
 
   Arrival arrive(const ContactPoint& now, const StaggeredMotion& at, const ContactState& state,
@@ -289,31 +283,33 @@ class IntegratedContact {
            6.0;
   }
 
-  /// The way from a place in contact to parting, by the energy.
-  Parting part(const ContactPath& from, double drive) const {
+  /// The way from a place in contact to parting, by the energy; without a speed there: the pair
+  /// does not part.
+  ContactPath part(const ContactPath& from, double drive) const {
     const double x = from.s.x, way = x - lowest_, speed = std::abs(from.s.v);
     // Twice the kinetic energy per mass where the overlap is `to`, if `lost` was dissipated.
     const auto square_at = [&](double to, double energy, double lost) {
       return speed * speed + 2.0 * inverse_mass_ * (from.at.energy - energy - lost) -
              2.0 * drive * (x - to);
     };
-    Parting parting{0.0, 0.0, 0.0};
+    ContactPath parted{{lowest_, 0.0}, at_lowest_};
+    double lost = 0.0;
     if (is_damped_) {
       const double half_way = x - 0.5 * way;
       const contact::LawPoint middle = law_.at(half_way);
       double lost_half = 0.0;
       for (int k = 0; k < 3; k++) {
-        const double at_end =
-            std::sqrt(std::max(square_at(lowest_, at_lowest_.energy, parting.dissipated), 0.0));
+        const double at_end = std::sqrt(std::max(square_at(lowest_, at_lowest_.energy, lost), 0.0));
         const double half = std::sqrt(std::max(square_at(half_way, middle.energy, lost_half), 0.0));
-        parting.dissipated = -work_of_dashpot(speed, half, at_end, from.at.damping_integral,
-                                              middle.damping_integral, at_lowest_.damping_integral);
+        lost = -work_of_dashpot(speed, half, at_end, from.at.damping_integral,
+                                middle.damping_integral, at_lowest_.damping_integral);
         lost_half = (from.at.damping_integral - middle.damping_integral) * 0.5 * (speed + half);
       }
     }
-    const double square = square_at(lowest_, at_lowest_.energy, parting.dissipated);
-    if (!(square > 0.0)) return {0.0, 0.0, 0.0};
-    parting.speed = std::sqrt(square);
+    const double square = square_at(lowest_, at_lowest_.energy, lost);
+    if (!(square > 0.0)) return parted;
+    parted.s.v = -std::sqrt(square);
+    parted.dissipated = from.dissipated + lost + at_lowest_.energy;
     // int dx/v by three points of Gauss and Legendre.
     constexpr double places[] = {0.1127016653792583, 0.5, 0.8872983346207417};
     constexpr double weights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
@@ -322,10 +318,10 @@ class IntegratedContact {
       const contact::LawPoint p = law_.at(there);
       const double all = from.at.damping_integral - at_lowest_.damping_integral;
       const double part = all > 0.0 ? (from.at.damping_integral - p.damping_integral) / all : 0.0;
-      const double v2 = square_at(there, p.energy, part * parting.dissipated);
-      parting.time += v2 > 0.0 ? weights[k] * way / std::sqrt(v2) : step_;
+      const double v2 = square_at(there, p.energy, part * lost);
+      parted.time += v2 > 0.0 ? weights[k] * way / std::sqrt(v2) : step_;
     }
-    return parting;
+    return parted;
   }
 
   void record_contact(Overlap& s, const ContactPath& end, double time, double drive,
