@@ -36,6 +36,15 @@ class Times(unittest.TestCase):
         self.assertFalse(numpy.array_equal(*both))
 
 
+class Fast(unittest.TestCase):
+    def test_sphere_that_leaves_a_well_at_a_wall(self):
+        """It moves 0.07 of its radius in a step, and its contact is seen until the energy account closes."""
+        found, error, _ = extremes.judge_two(LAUNCHER, "square_well", "exact", dict(LAWS["square_well"], speed=10.0),
+                                             1.036, True)
+        self.assertEqual(found, "right")
+        self.assertLess(error, 1e-12)
+
+
 class Warned(unittest.TestCase):
     def test_of_contacts_that_occur(self):
         """Two such spheres, of half the reduced mass, would have 14/sqrt(2) = 9.9 steps."""
