@@ -166,6 +166,9 @@ void print_plan(const Lines& print, const PowderRequest& r, const Powder& p) {
   std::snprintf(step, sizeof step, "particle step, t_c/%.3g, scheme exact",
                 contact_time / p.steps.particle);
   print({"particle_step", step, p.steps.particle, "s"});
+  if (p.elastic)
+    print({"fastest", "fastest sphere that this step allows", advice::fastest_over_impact * p.speed,
+           "m/s"});
   print({"cell", "edge of the cells", p.cell, "m"});
   print({"gas_step", "gas step, a whole number of these", p.steps.gas, "s"});
   print({"gas_velocity", "superficial gas velocity, twice u_mf by " + r.drag, p.velocity, "m/s"});

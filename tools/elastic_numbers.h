@@ -127,7 +127,7 @@ class ElasticNumbers {
     contact::ContactParameters p;
     contact::set_hertz(p, r.young, r.poisson);
     p.restitution = r.restitution;
-    p.friction = 1.0;  // of which the time steps are less
+    p.friction = 1.0;  // Contacts with friction need the shorter steps.
     if (r.surface_energy > 0.0) contact::set_surface_energy(p, r.surface_energy);
     return p;
   }
@@ -167,8 +167,11 @@ class ElasticNumbers {
            "[length]"});
     lines({name + "step", "time step, a twentieth of it or less", pair.advised_step(speed_),
            "[time]"});
-    lines({name + "largest_step", "largest step without a warning, a tenth or less",
+    lines({name + "largest_step", "largest step without warning, a tenth or less",
            pair.largest_step(speed_), "[time]"});
+    // The engines evaluate the larger of the two speeds.
+    lines({name + "fastest", "steps valid up to this speed and sqrt(2 g d)",
+           advice::fastest_over_impact * speed_, "[length/time]"});
   }
 
   const ElasticRequest& request_;

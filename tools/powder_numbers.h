@@ -242,9 +242,11 @@ class Powder {
     return all;
   }
 
-  /// The step that the contact of two of the smallest should have, [time].
+  /// Time step for a contact of two of the smallest grains, [time].
   double step_of_contact() const {
-    if (elastic) return elastic->used.advised_step(speed);
+    // At the speeds of the run, parcels fall through their diameter as grains do at this gravity.
+    const double gravity = parcels.length(request_.gravity);
+    if (elastic) return elastic->used.advised_step(speed, gravity);
     contact::ContactParameters contact;
     contact.stiffness = springs.used.stiffness;
     contact.restitution = request_.restitution;
@@ -255,7 +257,7 @@ class Powder {
     return std::min(
         springs.used.contact_time / steps_of_spring(),
         advice::planned_steady_step(
-            advice::contact_of_equals(contact, 0.5 * small, mass(small), in_run), speed));
+            advice::contact_of_equals(contact, 0.5 * small, mass(small), in_run), speed, gravity));
   }
   double steps_of_spring() const {
     if (request_.is_packing()) return steps_per_contact_of_packing;

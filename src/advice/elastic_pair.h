@@ -65,14 +65,18 @@ class ElasticPair {
     return 2.9432750 * std::sqrt(1.875 * mass_ / stiffness);
   }
 
-  /// The time step that scheme exact should have in either engine: t_c/20 of an impact with
-  /// `speed`, or less where several contacts of a sphere would be unstable, [time].
-  double advised_step(double speed) const {
-    return std::min(contact_time(speed) / steps_per_integrated_contact, steady_step(speed));
+  /// The time step for scheme exact in either engine, [time]: t_c/20 of an impact with `speed`, or
+  /// largest_step() if that is shorter.
+  double advised_step(double speed, double gravity = 0.0) const {
+    return std::min(contact_time(speed) / steps_per_integrated_contact,
+                    largest_step(speed, gravity));
   }
-  /// The largest one without a warning, [time].
-  double largest_step(double speed) const {
-    return std::min(contact_time(speed) / exact_scheme.integrated_for_warning, steady_step(speed));
+  /// The largest step [time] that is at most t_c/10 and of which neither engine warns,
+  /// where spheres have several contacts, none is faster than fastest_over_impact times `speed`,
+  /// and the gravity of the run is `gravity` [length/time^2].
+  double largest_step(double speed, double gravity = 0.0) const {
+    return std::min(contact_time(speed) / exact_scheme.integrated_for_warning,
+                    planned_step_without_warning(of_equals(), speed, gravity));
   }
 
   /// The largest overlap [length] of an impact without dashpot that comes with `speed`.
@@ -110,12 +114,11 @@ class ElasticPair {
   contact::JkrSpringDashpot jkr() const {
     return std::get<contact::JkrSpringDashpot>(contact::normal_law(contact_, radius_, mass_));
   }
-  /// Of spheres of the same R* and mu.
-  double steady_step(double speed) const {
+  /// Two spheres of the same R* and mu.
+  AdvisedContact of_equals() const {
     contact::Adhesion adhesion = adhesion_;
     adhesion.force = pull_off_force();
-    return planned_steady_step(contact_of_equals(contact_, 2.0 * radius_, 2.0 * mass_, adhesion),
-                               speed);
+    return contact_of_equals(contact_, 2.0 * radius_, 2.0 * mass_, adhesion);
   }
   double touching_speed(double speed) const {
     return std::sqrt(speed * speed + 2.0 * adhesion_.approach_energy() / mass_);
