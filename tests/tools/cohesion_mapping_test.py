@@ -89,9 +89,9 @@ class Contact(unittest.TestCase):
 
     def stable_step(self, overlap, restitution, nu=0.25):
         """The largest step in which both inequalities of docs/theory/contact_steps.md hold for Hertz's contact with
-        friction: 4 s < 4 and 40/7 s_t < 4, s = (K + 2 eta/dt) dt^2/m, that of sliding with m = 2/7 mu. Constants at this
-        overlap: K = 2 E* a, eta = 2 sqrt(5/6) beta sqrt(K mu); K_t = c K and, as in LIGGGHTS, eta_t = sqrt(c) eta with
-        c = 2 (1 - nu)/(2 - nu)."""
+        friction: 4 s < 4 and 40/7 s_t < 4, s = (K + 2 eta/dt) dt^2/m, that of sliding with m = 2/7 mu. Constants at
+        this overlap: K = 2 E* a, eta = 2 sqrt(5/6) beta sqrt(K mu); K_t = c K and, as in LIGGGHTS, eta_t = sqrt(c) eta
+        with c = 2 (1 - nu)/(2 - nu)."""
         stiffness = 2 * self.MODULUS * math.sqrt(self.RADIUS * overlap)
         beta = -math.log(restitution) / math.hypot(math.pi, math.log(restitution))
         damping = 2 * math.sqrt(5 / 6) * beta * math.sqrt(stiffness * self.REDUCED)
@@ -128,10 +128,11 @@ class Contact(unittest.TestCase):
         self.near(0.4 * coefficient * overlap**2.5, energy, 1e-9)
         self.near(found["contact_time"], 2.9432 * math.sqrt(1.25 * self.REDUCED / (coefficient * math.sqrt(overlap))), 1e-4)
         self.near(found["step"], found["contact_time"] / 20)
-        # The overlap of the fastest sphere, of twice the speed. The program bisects step and overlap to the last bits; its
-        # escape velocity is only the input here.
+        # The overlap of the fastest sphere, of twice the speed. The program bisects step and overlap to the last bits;
+        # its escape velocity is only the input here.
         deepest = brentq(lambda x: 0.4 * coefficient * x**2.5 - force * x - tail
-                         - 2 * self.REDUCED * found["escape_velocity"]**2, overlap, 10 * overlap, xtol=1e-20, rtol=1e-14)
+                         - 2 * self.REDUCED * found["escape_velocity"]**2, overlap, 10 * overlap, xtol=1e-20,
+                         rtol=1e-14)
         self.near(found["largest_step"],
                   min(found["contact_time"] / 10, self.PLANNED * self.stable_step(deepest, 0.9)), 1e-9)
         speed = math.sqrt(2 * found["well_depth"] / self.REDUCED * (1 / 0.9**2 - 1))
