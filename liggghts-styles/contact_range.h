@@ -13,13 +13,20 @@ class FixWallGran;
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// How far beyond its range a model sees that must meet a pair there, over the sum of the radii, or
-/// the radius beside a wall: none must come nearer, or part, by more in a step. Every pair that the
+/// How far beyond its range a sampled model sees that must meet a pair there, over the sum of the
+/// radii, or the radius beside a wall: no pair may part by more in a step. Every pair that the
 /// engine shows costs: of a dense gas a tenth takes half as long again.
 constexpr double MARGIN = 0.01;
-/// Of scheme exact: the energy account of a pair that has left its range closes in the steps after
-/// it, up to three where other contacts act on the two particles.
-constexpr double EXACT_MARGIN = 3.0 * MARGIN;
+/// Time levels at which scheme exact still has to see a pair that has left its range after level n.
+/// Level n+1 corrects its velocity by the stored offset and its energy account by what is known. If
+/// other contacts act on the two particles, their forces of that step are known at n+2, and the
+/// work f_(n+1) b_(n+2) that the last force exchanges with them at n+3 (energy_account.h).
+constexpr int LEVELS_TO_CLOSE = 3;
+/// Of scheme exact, so that the account closes at up to MARGIN a step: at n+3 the pair is less than
+/// three steps of flight beyond its range. At up to EXACT_MARGIN a step a pair is seen at a level
+/// before it comes into range, and at n+1 after it has left: its motion is right, and only the
+/// corrections of n+2 and n+3 may be missing. Beyond this a pair that comes nearer is warned of.
+constexpr double EXACT_MARGIN = LEVELS_TO_CLOSE * MARGIN;
 
 /// How far a cohesion acts and must see: up to a gap `gap` + `ratio` r, r being the sum of the
 /// radii, or the radius beside a wall.

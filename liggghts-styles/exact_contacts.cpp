@@ -30,7 +30,7 @@ using namespace cohesion::contact_solver;
 namespace {
 
 constexpr const char* seen_too_late =
-    ", scheme exact: a pair came nearer by more than 0.01 of its radii in one step, from beyond "
+    ", scheme exact: a pair came nearer by more than 0.03 of its radii in one step, from beyond "
     "what is seen, and when it touched is not known exactly: use a smaller time step; first ";
 
 constexpr const char* turned_too_often =
@@ -229,18 +229,20 @@ bool ExactContacts::advance(const ContactModels::SurfacesCloseData& d, double r,
   return true;
 }
 
-/// A pair that does not overlap yet is resolved from this step on and needs no warning.
+/// A pair that does not overlap yet is resolved from this step on and needs no warning. Nor does
+/// one that was within the margin a step ago. The step that the warning names is the one in which
+/// the pair crosses MARGIN, so that its energy account closes, too (contact_range.h).
 void ExactContacts::check_sight(const ContactSolver& solver,
                                 const ContactModels::SurfacesCloseData& d,
                                 const StaggeredMotion& now) const {
-  const double way = -solver.step() * now.rate, margin = MARGIN * d.radsum;
+  const double way = -solver.step() * now.rate;
   if (late_->due || now.distance >= solver.entry_distance() ||
-      now.distance + way <= d.radsum + margin + solver.range())
+      now.distance + way <= solver.outer_distance() + EXACT_MARGIN * d.radsum)
     return;
   std::ostringstream where;
   where.precision(3);
   where << names(d) << ", by " << way / d.radsum << " of the radii at " << -now.rate
-        << ": a time step of " << solver.step() * margin / way << " would do";
+        << ": a time step of " << solver.step() * MARGIN * d.radsum / way << " would do";
   late_->found(where.str());
 }
 
