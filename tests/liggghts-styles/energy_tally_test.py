@@ -205,6 +205,19 @@ class Balance(unittest.TestCase):
                     self.assertAlmostEqual(entry(after, k), entry(before, k), delta=STEP_ERROR * energy)
                 self.closes(rows, STEP_ERROR)
 
+    def test_contact_that_slides_in_a_set_up_has_no_tangential_dashpot(self):
+        # With less friction the stored spring exceeds the Coulomb force until the first step.
+        less = "fix coefficientFriction all property/global coefficientFriction peratomtypepair 2 0.02 0.02 0.02 0.02\n"
+        for scheme in ("sampled", "exact"):
+            for rolling in ("", FULL):
+                with self.subTest(scheme=scheme, rolling=rolling):
+                    rows = tallies(go(f"{SLIDING}hamaker{rolling} scheme {scheme} tangential_damping off", hamaker(0),
+                                      oblique(), run=f"run 60\n{less}run 1\nrun 30\n"))
+                    before, after = [entry(row, TANGENTIAL) for row in rows if row[0] in (60, 61)][1:3]
+                    self.assertLess(after, 0.1 * before)
+                    for row in rows:
+                        self.assertAlmostEqual(entry(row, TANGENTIAL_DAMPING), 0.0, delta=1e-9 * before)
+
     def test_other_forces_are_work(self):
         rows = tallies(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 0), (0.01, 0, 0)), sphere((4e-3, 0, 0))], steps=200,
