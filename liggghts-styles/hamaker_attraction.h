@@ -17,6 +17,7 @@
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
+#include "hamaker/tail.h"
 #include "normal_model_probe.h"
 #include "settings.h"
 #include "sphere.h"
@@ -61,7 +62,7 @@ class HamakerAttraction : public CohesionDefaults {
   }
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
-    return cohesion::contact::adhesion_of(laws_.of(itype, jtype),
+    return cohesion::hamaker::adhesion_of(laws_.of(itype, jtype),
                                           geometry(!std::isfinite(rj), ri, rj));
   }
 
