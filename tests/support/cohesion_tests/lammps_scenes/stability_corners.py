@@ -30,19 +30,8 @@ contacts that do not occur (of others), or not (no).
 EDGES = """
 ## Incorrect cases without a warning
 
-In both a sphere with a friction of 1 touches two walls, and its friction has
-[errors of first order](../theory/exact_contacts.md#errors) in the step. No warning is printed for them: the bound
-2 min(f,1) alpha dt of the linear case below is 0.083, and at the recommended t_c/10 it is 0.081 for a restitution of
-0.5 and a friction f of 0.6.
-
-| law, random point | what happens | error at dt, dt/2, dt/4, dt/8 |
-|---|---|---|
-| gran/hamaker, 230 | The sphere leaves one wall at 0.54 s instead of 0.47 s. The attraction turns it at a gap of \
-3.5 H_cut instead of 2.5 H_cut, so that it returns late. | 0.23, 0.046, 0.049, 0.022 |
-| gran/hamaker normal hertz, 190 | The error is 1.1 times the tolerance of 0.0147, part of it from \
-[Mindlin's spring](../theory/hertz_contacts.md#friction). | 0.016, 0.0032, 0.0010, 0.0005 |
-
-The reference of this table is a run at dt/256.
+In these a sphere touches two walls with a friction of 1, whose error is of
+[first order](../theory/exact_contacts.md#errors) in the step.
 """
 WARNED = {"warned": "yes", "elsewhere": "of others", "silent": "no"}
 STOPPED = """
