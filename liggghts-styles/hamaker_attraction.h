@@ -17,7 +17,6 @@
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
-#include "hamaker/tail.h"
 #include "normal_model_probe.h"
 #include "settings.h"
 #include "sphere.h"
@@ -62,7 +61,7 @@ class HamakerAttraction : public CohesionDefaults {
   }
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
-    return cohesion::hamaker::adhesion_of(laws_.of(itype, jtype),
+    return cohesion::contact::adhesion_of(laws_.of(itype, jtype),
                                           geometry(!std::isfinite(rj), ri, rj));
   }
 

@@ -10,7 +10,6 @@
 #include "advice/elastic_pair.h"
 #include "hamaker/forms.h"
 #include "hamaker/roughness.h"
-#include "hamaker/tail.h"
 #include "named_table.h"
 #include "printed_lines.h"
 #include "sphere.h"
@@ -136,7 +135,7 @@ class ElasticNumbers {
     const hamaker::HamakerParameters p = hamaker_of(r);
     const hamaker::AnyLaw law =
         find_by_name(hamaker::forms, "form", r.form).law(p, p.asperity_radius > 0.0);
-    return std::visit([&](const auto& l) { return hamaker::adhesion_of(l, geometry); }, law);
+    return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
   }
 
   void print_tearing(const Lines& lines) const {

@@ -11,7 +11,6 @@
 #include "contact/stiffness_scaling.h"
 #include "hamaker/forms.h"
 #include "hamaker/roughness.h"
-#include "hamaker/tail.h"
 #include "powder/grain_contact.h"
 #include "powder/wells.h"
 #include "sphere.h"
@@ -197,7 +196,7 @@ struct PowderContacts {
     const auto attraction = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
     return powder::well_depth(
         material.stiffness, restitution, p.mass,
-        std::visit([&](const auto& law) { return hamaker::adhesion_of(law, p.geometry); },
+        std::visit([&](const auto& law) { return contact::adhesion_of(law, p.geometry); },
                    attraction));
   }
 

@@ -10,7 +10,6 @@
 #include "advice/elastic_pair.h"
 #include "drag/drag_closure.h"
 #include "hamaker/range_of_validity.h"
-#include "hamaker/tail.h"
 #include "named_table.h"
 #include "powder/elastic_contacts.h"
 #include "powder/fluidisation.h"
@@ -98,7 +97,7 @@ class Powder {
     }
     const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
     hamaker::require_weakened_by_asperities(hamaker::forms.front(), hamaker, geometry);
-    return std::visit([&](const auto& l) { return hamaker::adhesion_of(l, geometry); }, law);
+    return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
   }
 
   /// A grain of a diameter at a wall, which presses a spring more than two of them.

@@ -15,7 +15,6 @@
 #include "contact/area_attraction.h"
 #include "contact/contact_parameters.h"
 #include "hamaker/forms.h"
-#include "hamaker/tail.h"
 #include "named_table.h"
 #include "script_case.h"
 #include "sphere.h"
@@ -139,7 +138,7 @@ class ScriptContact {
 
   /// The adhesion of this pair, and its JKR contact, with the properties of this package.
   contact::Adhesion hamaker_adhesion(const hamaker::HamakerParameters& p) const {
-    return std::visit([&](const auto& law) { return hamaker::adhesion_of(law, pair_.geometry()); },
+    return std::visit([&](const auto& law) { return contact::adhesion_of(law, pair_.geometry()); },
                       hamaker::forms.front().law(p, false));
   }
   advice::ElasticPair jkr_pair(double surface_energy) const {

@@ -14,7 +14,6 @@
 #include "engine/largest_radii.h"
 #include "engine/particles_at_walls.h"
 #include "error.h"
-#include "hamaker/tail.h"
 #include "input/hamaker_keywords.h"
 #include "input/law_from_script.h"
 #include "input/walls_from_script.h"
@@ -165,7 +164,7 @@ void FixWallHamaker::add_advice(const RunConditions& of_all, AdviceOfStyles& adv
     if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
     const auto adhesion = std::visit(
         [&](const auto& chosen) {
-          return cohesion::hamaker::adhesion_of(chosen,
+          return cohesion::contact::adhesion_of(chosen,
                                                 cohesion::sphere_and_plane(lightest[type].radius));
         },
         law);

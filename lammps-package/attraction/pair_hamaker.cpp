@@ -16,7 +16,6 @@
 #include "engine/special_pairs.h"
 #include "error.h"
 #include "force.h"
-#include "hamaker/tail.h"
 #include "input/hamaker_keywords.h"
 #include "input/law_from_script.h"
 #include "input/restart_format.h"
@@ -113,7 +112,7 @@ std::vector<AdvisedContact> PairHamaker::advised_contacts() const {
       if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
       const auto adhesion = std::visit(
           [&](const auto& law_of) {
-            return cohesion::hamaker::adhesion_of(law_of[types],
+            return cohesion::contact::adhesion_of(law_of[types],
                                                   cohesion::two_spheres(a.radius, b.radius));
           },
           laws);

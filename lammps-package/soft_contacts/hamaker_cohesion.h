@@ -10,7 +10,6 @@
 #include "contact/adhesion.h"
 #include "contact_solver/contact_solver.h"
 #include "hamaker/forms.h"
-#include "hamaker/tail.h"
 #include "sampled_contact/sampled_hamaker.h"
 #include "soft_contacts/cohesion_law.h"
 #include "soft_contacts/scaling_notes.h"
@@ -77,7 +76,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   template <class Attraction>
   static Attraction attraction(const Law& law, const cohesion::PairGeometry& geometry) {
     if constexpr (std::is_same_v<Attraction, cohesion::contact::Adhesion>)
-      return std::visit([&](const auto& l) { return cohesion::hamaker::adhesion_of(l, geometry); },
+      return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
                         law);
     else
       return {law, geometry};

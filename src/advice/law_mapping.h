@@ -9,7 +9,6 @@
 #include "advice/sampled_escape.h"
 #include "contact/linear_spring_dashpot.h"
 #include "hamaker/forms.h"
-#include "hamaker/tail.h"
 #include "sphere.h"
 
 /// Hamaker attractions and square wells of equal head-on escape velocity, each through the scheme
@@ -41,7 +40,7 @@ struct HamakerKind {
 };
 
 inline contact::Adhesion adhesion_of(const HeadOnPair& pair, const hamaker::AnyLaw& law) {
-  return std::visit([&](const auto& l) { return hamaker::adhesion_of(l, pair.geometry); }, law);
+  return std::visit([&](const auto& l) { return contact::adhesion_of(l, pair.geometry); }, law);
 }
 
 /// The escape velocities of a Hamaker attraction. Of a law solved exactly all three are the same.

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "advice/equal_escape.h"
-#include "hamaker/tail.h"
 #include "sampled_contact/sampled_hamaker.h"
 #include "sampled_contact/sampled_well.h"
 
@@ -131,7 +130,7 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
   require_sticking(spring);
   detail::require_sampled_step(spring, step);
   const contact::Adhesion adhesion =
-      std::visit([&](const auto& law) { return hamaker::adhesion_of(law, attraction.geometry); },
+      std::visit([&](const auto& law) { return contact::adhesion_of(law, attraction.geometry); },
                  attraction.law);
   const double exact = contact::AdhesiveContact(spring, adhesion).escape_velocity();
   require_positive("escape velocity", exact);

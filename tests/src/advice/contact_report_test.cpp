@@ -6,9 +6,6 @@
 #include <limits>
 
 #include "advice/thesis_pair.h"
-#include "hamaker/law.h"
-#include "hamaker/small_gap.h"
-#include "hamaker/tail.h"
 
 namespace cohesion::advice {
 namespace {
@@ -175,7 +172,7 @@ TEST(ContactReport, NamesBothRatiosOfHertzsAndJkrsContactToTheMaterial) {
       AdvisedContact c = pair();
       c.i = c.j = {radius, mass};
       c.springs = springs_of(p, 0.5 * radius, 0.5 * mass);
-      c.adhesion = hamaker::adhesion_of(law, two_spheres(radius, radius));
+      c.adhesion = contact::adhesion_of(law, two_spheres(radius, radius));
       if (w > 0.0) c.adhesion = {contact::JkrSpringDashpot::pull_off_force(0.5 * radius, w)};
       return c;
     };
@@ -246,7 +243,7 @@ TEST(ContactReport, EscapeVelocityOfHertzIsThatOfItsImpact) {
     p.restitution = restitution;
     AdvisedContact hertz = pair();
     hertz.i = hertz.j = {radius, mass};
-    hertz.adhesion = hamaker::adhesion_of(law, two_spheres(radius, radius));
+    hertz.adhesion = contact::adhesion_of(law, two_spheres(radius, radius));
     hertz.springs = springs_of(p, 0.5 * radius, 0.5 * mass);
     EXPECT_NEAR(escape_velocity(hertz, run()), exact, 1e-4 * exact) << restitution;
   }

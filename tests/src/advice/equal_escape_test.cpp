@@ -7,7 +7,6 @@
 #include "advice/thesis_pair.h"
 #include "contact_solver/spheres.h"
 #include "contact_solver/square_well_solver.h"
-#include "hamaker/tail.h"
 #include "refuses.h"
 
 namespace cohesion::advice {
@@ -62,7 +61,7 @@ TEST(EqualEscape, HamakerConstantsOfTheThesisWells) {
   // The thesis, found by trial: D = 1e-11 J with A = 3.34e-19 J, printed with three digits. The
   // others by an integration of the motion (tests/tools/cohesion_mapping_test.py), good to 1e-9.
   const contact::Adhesion unit =
-      hamaker::adhesion_of(hamaker::HamakerLaw<hamaker::SmallGap>({1.0, 4e-10, 1e-7}),
+      contact::adhesion_of(hamaker::HamakerLaw<hamaker::SmallGap>({1.0, 4e-10, 1e-7}),
                            two_spheres(thesis::radius, thesis::radius));
   const auto constant = [&](double depth) {
     return adhesion_of_escape_velocity(spring, unit, escape_velocity_of_depth(spring, depth));

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "contact_solver/thesis_contact.h"
-#include "hamaker/tail.h"
 #include "refuses.h"
 
 namespace cohesion::advice {
@@ -24,7 +23,7 @@ SampledEscape well_at(double step, double of_depth = depth) {
   return sampled_escape(spring, contact::Adhesion{0.0, 1e-5, of_depth}, 2.0 * thesis::radius, step);
 }
 double exact_hamaker() {
-  const auto a = hamaker::adhesion_of(hamaker::HamakerLaw<hamaker::SmallGap>({A, cutoff, outer}),
+  const auto a = contact::adhesion_of(hamaker::HamakerLaw<hamaker::SmallGap>({A, cutoff, outer}),
                                       two_spheres(thesis::radius, thesis::radius));
   return contact::AdhesiveContact(spring, a).escape_velocity();
 }

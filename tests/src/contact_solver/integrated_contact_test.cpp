@@ -11,7 +11,6 @@
 #include "contact_solver/hertz_reference.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
-#include "hamaker/tail.h"
 #include "sphere.h"
 
 namespace cohesion::contact_solver {
@@ -26,7 +25,7 @@ Grains glass(double diameter, double modulus, double restitution) {
 }
 contact::Adhesion hamaker(double diameter, double constant) {
   const hamaker::HamakerLaw<hamaker::SmallGap> law({constant, 4e-10, 1e-7});
-  return hamaker::adhesion_of(law, two_spheres(0.5 * diameter, 0.5 * diameter));
+  return contact::adhesion_of(law, two_spheres(0.5 * diameter, 0.5 * diameter));
 }
 
 /// A pair that flies head-on into contact on an engine's grid.

@@ -6,7 +6,6 @@
 #include "contact_solver/pair_motion.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
-#include "hamaker/tail.h"
 #include "sphere.h"
 
 /// The particle of the thesis' bed and its contact: 1 mm, 2650 kg/m3, K = 800 N/m,
@@ -25,7 +24,7 @@ inline contact_solver::Body particle() { return {radius, 1.0 / mass}; }
 /// is so far away that all it lacks is rounding.
 inline contact::Adhesion adhesion(double hamaker_constant) {
   const hamaker::HamakerLaw<hamaker::SmallGap> law({hamaker_constant, range, 1e8});
-  return hamaker::adhesion_of(law, two_spheres(radius, radius));
+  return contact::adhesion_of(law, two_spheres(radius, radius));
 }
 
 inline contact::ContactParameters contact() {

@@ -5,7 +5,6 @@
 
 #include "contact/rebound.h"
 #include "hamaker/forms.h"
-#include "hamaker/tail.h"
 #include "powder/grain_contact.h"
 
 namespace cohesion::powder {
@@ -20,7 +19,7 @@ double mass(double diameter) { return 1500.0 * sphere_volume(0.5 * diameter); }
 contact::Adhesion adhesion(const hamaker::HamakerParameters& p, double diameter) {
   const hamaker::AnyLaw law = hamaker::forms.front().law(p, p.asperity_radius > 0.0);
   const PairGeometry pair = two_spheres(0.5 * diameter, 0.5 * diameter);
-  return std::visit([&](const auto& l) { return hamaker::adhesion_of(l, pair); }, law);
+  return std::visit([&](const auto& l) { return contact::adhesion_of(l, pair); }, law);
 }
 
 contact::AdhesiveContact contact_of(const hamaker::HamakerParameters& p, double diameter,

@@ -7,7 +7,6 @@
 
 #include "contact/adhesive_contact.h"
 #include "hamaker/forms.h"
-#include "hamaker/tail.h"
 #include "refuses.h"
 #include "sphere.h"
 
@@ -19,7 +18,7 @@ constexpr double d = 5e-4, stiffness = 1.7e4;
 const double mass = 2500.0 * sphere_volume(0.5 * d);
 
 contact::Adhesion adhesion_of(const hamaker::HamakerParameters& p, const PairGeometry& geometry) {
-  return std::visit([&](const auto& law) { return hamaker::adhesion_of(law, geometry); },
+  return std::visit([&](const auto& law) { return contact::adhesion_of(law, geometry); },
                     hamaker::forms.front().law(p, p.asperity_radius > 0.0));
 }
 
