@@ -53,7 +53,8 @@ TEST(SquareWellGas, IsExactlyThatOfSpheresWithoutWells) {
         const GranularPressure pressure{1500.0, 0.9};
         EXPECT_EQ(pressure.over_temperature(phi, 1.7, found.cohesion.ratio),
                   pressure.over_temperature(phi, 1.7));
-        EXPECT_EQ(pressure.slope(phi, 1.7, 4.3, found.cohesion), pressure.slope(phi, 1.7, 4.3));
+        EXPECT_EQ(pressure.slope(phi, 1.7, 4.3, found.cohesion),
+                  pressure.slope(phi, 1.7, 4.3, GranularPressure::Cohesion{}));
       }
 }
 
