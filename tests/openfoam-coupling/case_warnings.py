@@ -69,6 +69,18 @@ class CaseWarnings(CoupledTestCase):
         self.quiet("a bed", self.spheres("bed", rows=range(10)), said)
         self.quiet("a few", self.spheres("single", rows=(5,), diameter=d), said)
 
+    def test_bed_at_the_narrow_end_of_a_vessel(self):
+        """Four layers of 16 spheres of 4 mm, 4.5 mm apart, fill a quarter of the lowest 18 mm of a vessel that widens
+        from 20 mm to 60 mm; of as much of its mean cross-section they would fill 7 %."""
+        pitch, first = 4.5e-3, 23.25e-3
+        places = "".join(f"create_atoms 1 single {first + i * pitch} {first + j * pitch} {(k + 0.5) * pitch}\n"
+                         for i in range(4) for j in range(4) for k in range(4))
+        log = self.edited("narrow-end", (BLOCKS, "(0 0 0) (60 0 0) (60 60 0) (0 60 0)",
+                                         "(20 20 0) (40 20 0) (40 40 0) (20 40 0)"), ("places", "", places),
+                          (COUPLING, "dt      1e-5;", "dt 1e-5; places places; period f; diameter 4e-3;"),
+                          (COUPLING, "particles.lmp", "few.lmp"))
+        self.quiet("a bed", log, "the particles begin as a suspension")
+
     def test_velocity_in_the_plane_of_its_patch(self):
         said = "lies in the plane of the patch"
         for name, inlet in (("superficial", "type superficialVelocity; superficialVelocity (0.3 0 0);"),

@@ -32,4 +32,18 @@ Foam::particleLayer::particleLayer(const fvMesh& mesh, const coupledParticles& p
     const scalarField corners(mesh.points() & up);
     vessel = gMax(corners) - gMin(corners);
     base = gSum(mesh.V())*particles.depthRatio()/vessel;
+    if (!(height > 0))
+    {
+        return;
+    }
+    const scalar bottom = sums[1]/solid - 0.5*height, top = bottom + height;
+    scalar beside = 0;
+    forAll(mesh.V(), cell)
+    {
+        const scalarMinMax ends(minMax(scalarField(corners, mesh.cellPoints()[cell])));
+        beside += mesh.V()[cell]*max(min(top, ends.max()) - max(bottom, ends.min()), scalar(0))/ends.mag();
+    }
+    reduce(beside, sumOp<scalar>());
+    const scalar inside = min(top, gMax(corners)) - max(bottom, gMin(corners));
+    base = beside*particles.depthRatio()/inside;
 }
