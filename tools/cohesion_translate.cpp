@@ -2,7 +2,6 @@
 // cohesion-translate: what the cohesion of a script of LIGGGHTS amounts to.
 // Manual: docs/tools/cohesion-translate.md
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -152,8 +151,9 @@ void refuse_to_replace(const std::vector<std::string>& files, const std::string&
 }
 
 /// Throws std::runtime_error unless the rule is known and cutoffs are specified or in metres.
-Translation translation_of(const TranslateRequest& r, const ScriptCase& script) {
+Translation translation_of(const TranslateRequest& r, const ScriptCase& script, double gravity) {
   Translation t = r.translation;
+  t.gravity = gravity;
   const advice::SiUnits* units = script.units();
   if (t.law == "hamaker" && t.cutoffs.empty()) {
     if (!units) require_in_units(script, "length in metres: specify --cutoff");
@@ -196,14 +196,14 @@ void run(const TranslateRequest& r) {
   std::set<std::string> evaluated;  // a wall may be defined again
   for (const ContactPairOfTypes& contact : contacts) {
     if (!evaluated.insert(contact.title + contact.model->words()).second) continue;
-    report(contact);
+    report.add(contact);
     warnings.check_contact(contact);
   }
-  std::fflush(stdout);
+  report.print();
   warn(warnings.texts());
   if (r.write.empty()) return;
   refuse_to_replace(reader.files(), r.write[1]);
-  TranslatedScript translated(r.script, script, translation_of(r, script));
+  TranslatedScript translated(r.script, script, translation_of(r, script, conditions.gravity));
   for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
   translated.write(r.write[1]);
   warn(translated.warnings());

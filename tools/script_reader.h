@@ -24,6 +24,7 @@ struct ScriptCommand {
   int line = 0;  ///< of its first word
   std::vector<std::string> words;
   int last_line = 0;
+  std::vector<std::string> written = {};  ///< the words with their variables
 
   std::string place() const { return file + ':' + std::to_string(line); }
 
@@ -54,6 +55,11 @@ struct ScriptCommand {
   std::size_t find(const std::string& text, std::size_t from = 0) const {
     while (from < words.size() && words[from] != text) from++;
     return std::min(from, words.size());
+  }
+
+  /// Word k with its variables; empty: it has none.
+  std::string word_with_variables(std::size_t k) const {
+    return k < written.size() && written[k].find('$') != std::string::npos ? written[k] : "";
   }
 
   static std::optional<double> number_of(const std::string& text) {
@@ -115,10 +121,10 @@ class ScriptReader {
         whole = whole.substr(0, last) + ' ';
         continue;
       }
-      add({file, first, words_of(whole), line});
+      add({file, first, words_of(whole), line, {}});
       whole.clear();
     }
-    add({file, first, words_of(whole), line});
+    add({file, first, words_of(whole), line, {}});
   }
 
   static std::string without_comment(const std::string& text) {
@@ -147,6 +153,7 @@ class ScriptReader {
 
   void add(ScriptCommand command) {
     if (command.words.empty()) return;
+    command.written = command.words;
     for (std::string& word : command.words) word = substituted(word);
     if (command.words[0] == "variable") set_variable(command);
     if (command.words[0] == "include") {

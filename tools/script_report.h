@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "script_contact.h"
+#include "script_text.h"
 
 namespace cohesion::tools {
 
@@ -25,27 +27,52 @@ struct ContactPairOfTypes {
   ScriptContact smallest, median;
 };
 
-/// Prints contacts as tables, or as comma-separated values with all digits.
+/// Prints contacts as tables, one for all contacts with equal values, or as comma-separated values
+/// with all digits.
 class ScriptReport {
  public:
-  ScriptReport(const ContactConditions& conditions, bool csv) : conditions_(conditions), csv_(csv) {
+  ScriptReport(const ContactConditions& conditions, bool csv)
+      : conditions_(conditions), csv_(csv) {}
+
+  void add(const ContactPairOfTypes& pair) {
+    const std::string values = values_of(pair);
+    const auto same = std::find_if(tables_.begin(), tables_.end(),
+                                   [&](const Table& table) { return table.values == values; });
+    Table& table = same == tables_.end() ? tables_.emplace_back(Table{{}, values}) : *same;
+    if (std::find(table.titles.begin(), table.titles.end(), pair.title) == table.titles.end())
+      table.titles.push_back(pair.title);
+  }
+
+  void print() const {
     if (csv_)
       std::puts("contact,name,smallest,median,unit");
     else
       std::printf("Impacts at %.4g [length/time]%s; gravity %.4g [length/time^2]%s\n",
-                  conditions.speed, conditions.is_speed_assumed ? " (assumed)" : "",
-                  conditions.gravity, conditions.is_gravity_assumed ? " (assumed)" : "");
+                  conditions_.speed, conditions_.is_speed_assumed ? " (assumed)" : "",
+                  conditions_.gravity, conditions_.is_gravity_assumed ? " (assumed)" : "");
+    for (const Table& table : tables_) {
+      if (!csv_) std::printf("\n%s, ", joined(table.titles, ";\n").c_str());
+      std::printf("%s", table.values.c_str());
+    }
+    std::fflush(stdout);
   }
 
-  void operator()(const ContactPairOfTypes& pair) {
-    name_ = pair.name;
+ private:
+  struct Table {
+    std::vector<std::string> titles;
+    std::string values;
+  };
+
+  std::string values_of(const ContactPairOfTypes& pair) const {
+    std::string rows;
     if (!csv_)
-      std::printf("\n%s, model %s, cohesion %s\n  %-34s %-11s %-11s\n", pair.title.c_str(),
-                  pair.model->normal.c_str(), pair.model->cohesion.c_str(), "grains", "smallest",
-                  "median");
+      rows = "model " + pair.model->normal + ", cohesion " + pair.model->cohesion + '\n' +
+             text("  %-34s %-11s %-11s\n", "grains", "smallest", "median");
     const CohesionOfScript& cohesion = pair.smallest.cohesion();
-    const auto line = [&](const char* name, const char* text, const char* unit, const auto& of) {
-      print(name, text, of(pair.smallest), of(pair.median), unit);
+    const auto line = [&](const char* name, const char* label, const char* unit, const auto& of) {
+      const double smallest = of(pair.smallest), median = of(pair.median);
+      rows += csv_ ? text("%s,%s,%.17g,%.17g,%s\n", pair.name.c_str(), name, smallest, median, unit)
+                   : text("  %-34s %-11.4g %-11.4g %s\n", label, smallest, median, unit);
     };
     if (cohesion.property)
       line("strength", cohesion.property, cohesion.unit,
@@ -64,20 +91,12 @@ class ScriptReport {
       line("steps_per_contact", "time steps per contact", "[1]", [&](const ScriptContact& c) {
         return c.contact_time(conditions_.speed) / conditions_.step;
       });
-  }
-
- private:
-  void print(const char* name, const char* text, double smallest, double median,
-             const char* unit) const {
-    if (csv_)
-      std::printf("%s,%s,%.17g,%.17g,%s\n", name_.c_str(), name, smallest, median, unit);
-    else
-      std::printf("  %-34s %-11.4g %-11.4g %s\n", text, smallest, median, unit);
+    return rows;
   }
 
   ContactConditions conditions_;
   bool csv_;
-  std::string name_;
+  std::vector<Table> tables_;
 };
 
 }  // namespace cohesion::tools

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "contact/jkr_spring_dashpot.h"
 #include "powder/grain_contact.h"
 #include "script_report.h"
+#include "script_variables.h"
 
 namespace cohesion::tools {
 
@@ -26,6 +26,7 @@ struct Translation {
   bool keeps_velocity = false;  ///< the escape velocity; else the pull-off force
   std::string law = "hamaker";  ///< or jkr
   std::vector<double> cutoffs;  ///< H_cut and H_out, in the units of the script
+  double gravity = 0.0;
 
   hamaker::HamakerParameters hamaker(double constant) const {
     return {constant, cutoffs.at(0), cutoffs.at(1)};
@@ -81,6 +82,7 @@ class TranslatedScript {
     const double strength = translated_strength(contact.median, translation_);
     if (is_new) {
       strengths_[{contact.i, contact.j}] = strengths_[{contact.j, contact.i}] = strength;
+      note(contact);
       return;
     }
     const double used = strengths_[{contact.i, contact.j}];
@@ -104,9 +106,8 @@ class TranslatedScript {
     std::set<int> changed;
     for (const GranularModel* model : models_)
       if (changed.insert(model->where.line).second)
-        replace(lines, model->where, with_law(model->where, joined(lines, model->where)));
-    warn_of_variables(density, joined(lines, density));
-    replace(lines, density, properties(density));
+        replace(lines, model->where, with_law(model->where, text_of(lines, model->where)));
+    replace(lines, density, properties(lines, density));
     std::ofstream stream(target);
     for (const std::optional<std::string>& line : lines)
       if (line) stream << *line << '\n';
@@ -130,16 +131,31 @@ class TranslatedScript {
                         "coefficients");
   }
 
-  /// Of those that had the energy densities in `text`.
-  void warn_of_variables(const ScriptCommand& density, const std::string& text) {
-    static const std::regex variable(R"(\$(?:\{(\w+)\}|(\w)))");
-    std::set<std::string> names;
-    for (std::sregex_iterator at(text.begin(), text.end(), variable), end; at != end; ++at)
-      names.insert((*at)[1].str() + (*at)[2].str());
+  /// Variables that the numbers of the script depended on.
+  void warn_of_variables(const std::set<std::string>& names) {
+    const ScriptCommand& density =
+        script_.need(ScriptContact::area_property, *models_.front()).where();
     for (const std::string& name : names)
       warnings_.push_back(density.place() + ": the script that is written has " + property() +
                           " in numbers, for this value of the variable '" + name +
                           "': translate again with '--var " + name + " VALUE' for another");
+  }
+
+  /// Bond number or escape velocity of a contact, for the comment.
+  void note(const ContactPairOfTypes& contact) {
+    const double value = translation_.keeps_velocity
+                             ? contact.median.escape_velocity()
+                             : contact.median.bond_number(translation_.gravity);
+    const std::string digits = text("%.4g", value);
+    for (auto& [same, names] : kept_)
+      if (same == digits) return names.push_back(contact.name);
+    kept_.push_back({digits, {contact.name}});
+  }
+  std::string noted() const {
+    std::vector<std::string> all;
+    for (const auto& [value, names] : kept_)
+      all.push_back(value + " (" + joined(names, ", ") + ')');
+    return joined(all, ", ");
   }
 
   const char* property() const {
@@ -174,7 +190,7 @@ class TranslatedScript {
   }
 
   /// The lines of a command, as they are written.
-  std::string joined(const Lines& lines, const ScriptCommand& c) const {
+  std::string text_of(const Lines& lines, const ScriptCommand& c) const {
     if (c.file != file_)
       c.fail("this line is in an included file, which is not translated: move it into '" + file_ +
              "'");
@@ -184,7 +200,7 @@ class TranslatedScript {
     return all;
   }
   void replace(Lines& lines, const ScriptCommand& c, const std::string& text) const {
-    joined(lines, c);
+    text_of(lines, c);
     for (int k = c.line; k <= c.last_line; k++) lines[static_cast<std::size_t>(k) - 1].reset();
     lines[static_cast<std::size_t>(c.line) - 1] = text;
   }
@@ -197,17 +213,20 @@ class TranslatedScript {
     return std::regex_replace(std::regex_replace(line, model, "$1" + translation_.law), reduce, "");
   }
 
-  std::string properties(const ScriptCommand& density) const {
+  std::string properties(const Lines& lines, const ScriptCommand& density) {
     const int types = density.integer(6, "the number of types");
-    std::string line =
-        std::string("# ") + (translation_.keeps_velocity ? "Escape velocity" : "Pull-off force") +
-        " of the median grains with " + models_.front()->cohesion + "\nfix " + density.words[1] +
-        " all property/global " + property() + " peratomtypepair " + std::to_string(types);
+    NumbersWithVariables numbers = numbers_of(lines, density);
+    std::string line = "fix " + density.words[1] + " all property/global " + property() +
+                       " peratomtypepair " + std::to_string(types);
     for (int i = 1; i <= types; i++)
       for (int j = 1; j <= types; j++) {
         const auto found = strengths_.find({i, j});
-        line += ' ' + (found == strengths_.end() ? "0" : text("%.8g", found->second));
+        const double strength = found == strengths_.end() ? 0.0 : found->second;
+        line += ' ' + numbers(std::to_string(i) + '_' + std::to_string(j), strength,
+                              factors(density, types, i, j));
       }
+    warn_of_variables(numbers.lost());
+    line = comment() + '\n' + numbers.lines() + line;
     if (translation_.law == "jkr") return line;
     const std::string fix = "\nfix " + density.words[1];
     return line + fix + "_cut all property/global hamakerSurfaceCutoff scalar " +
@@ -216,10 +235,33 @@ class TranslatedScript {
            text("%.8g", translation_.cutoffs.at(1));
   }
 
-  static std::string text(const char* format, double value) {
-    char digits[40];
-    std::snprintf(digits, sizeof digits, format, value);
-    return digits;
+  std::string comment() const {
+    const std::string of = std::string(" of the median grains with ") + models_.front()->cohesion;
+    if (translation_.keeps_velocity) return "# Escape velocity" + of + ": " + noted();
+    return "# Pull-off force F ~ R*^2 k^3/E*^2" + of + ": " + property() +
+           (translation_.law == "jkr" ? " = F/(3 pi R*)" : " = 6 F H_cut^2/R*") +
+           ", in proportion to the Bond number " + noted();
+  }
+
+  NumbersWithVariables numbers_of(const Lines& lines, const ScriptCommand& density) const {
+    std::vector<std::string> before, behind;
+    for (std::size_t k = 0; k < lines.size(); k++)
+      (static_cast<int>(k) + 1 < density.line ? before : behind).push_back(lines[k].value_or(""));
+    return {property(), before, behind};
+  }
+
+  /// What the strength of a pair depends on. With equal pull-off forces it grows with k^3 and R*.
+  std::vector<Factor> factors(const ScriptCommand& density, int types, int i, int j) const {
+    if (!strengths_.count({i, j})) return {};
+    const std::size_t at = 6 + static_cast<std::size_t>(types * (i - 1) + j);
+    const bool is_power = !translation_.keeps_velocity;
+    std::vector<Factor> all = radius_factors(script_.grains(), i, j, is_power ? 1 : 0);
+    all.push_back({density.word_with_variables(at), density.number(at, "an energy density"),
+                   is_power ? 3 : 0, true});
+    for (const char* name : {"youngsModulus", "poissonsRatio"})
+      if (const ScriptProperty* property = script_.find(name))
+        all.push_back(other_factor(property->where(), 6, property->where().words.size()));
+    return all;
   }
 
   std::string file_;
@@ -228,6 +270,7 @@ class TranslatedScript {
   std::vector<const GranularModel*> models_;
   std::set<std::pair<int, int>> evaluated_;  // the lower type first
   std::map<std::pair<int, int>, double> strengths_;
+  std::vector<std::pair<std::string, std::vector<std::string>>> kept_;  // with their contacts
   std::vector<std::string> warnings_;
 };
 

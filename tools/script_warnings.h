@@ -21,7 +21,14 @@ class ScriptWarnings {
   ScriptWarnings(const ScriptCase& script, const ContactConditions& conditions)
       : script_(script), conditions_(conditions) {}
 
-  const std::vector<std::string>& texts() const { return texts_; }
+  /// Contacts with the same finding at the same place are in one text.
+  std::vector<std::string> texts() const {
+    std::vector<std::string> texts;
+    for (const Finding& f : findings_)
+      texts.push_back(f.place + ": " + joined(f.contacts, "; ") + (f.contacts.empty() ? "" : ": ") +
+                      f.text);
+    return texts;
+  }
 
   /// Of the script as a whole.
   void check_script() {
@@ -52,9 +59,9 @@ class ScriptWarnings {
     const double steps = c.contact_time(conditions_.speed) / conditions_.step;
     const double needed = steps_needed(c);
     if (steps < needed)
-      add(pair.model->where, pair.title + ": " + digits(steps) + " time steps per contact, below " +
-                                 digits(needed) + ": use a timestep of at most " +
-                                 digits(conditions_.step * steps / needed));
+      add(pair.model->where, pair,
+          digits(steps) + " time steps per contact, below " + digits(needed) +
+              ": use a timestep of at most " + digits(conditions_.step * steps / needed));
   }
 
  private:
@@ -131,8 +138,8 @@ class ScriptWarnings {
     if (conditions_.is_speed_assumed) return;
     const double overlap = pair.median.overlap(conditions_.speed);
     if (overlap > advice::overlap_for_warning)
-      add(pair.model->where,
-          pair.title + ": impacts press grains by " + digits(overlap) +
+      add(pair.model->where, pair,
+          "impacts press grains by " + digits(overlap) +
               " of the diameter: increase youngsModulus or kn until this is below " +
               digits(advice::overlap_for_warning));
   }
@@ -161,19 +168,19 @@ class ScriptWarnings {
     if (name == "hamaker") text = advice::above_hamaker_constants(strength, script_.units());
     if (name == "jkr") text = advice::above_surface_energies(strength, script_.units());
     if (text.empty()) return;
-    add(place(pair), pair.title + ": " + text.substr(0, text.find_last_not_of("; ") + 1));
+    add(place(pair), pair, text.substr(0, text.find_last_not_of("; ") + 1));
   }
 
   void check_strength(const ContactPairOfTypes& pair) {
     const ScriptContact& c = pair.smallest;
     const double bond = c.bond_number(conditions_.gravity);
-    const std::string cohesion = pair.title + ": cohesion " + pair.model->cohesion;
+    const std::string cohesion = "cohesion " + pair.model->cohesion;
     if (c.is_area() && !c.is_hertz()) return check_linear_spring(pair, cohesion);
     if (c.overlap_at_pull_off() > largest_linear_overlap)
-      add(place(pair), cohesion + " is strongest at an overlap of " +
-                           digits(c.overlap_at_pull_off()) +
-                           " of the reduced radius, and values are those of small overlaps: " +
-                           "decrease cohesionEnergyDensity or increase youngsModulus");
+      add(place(pair), pair,
+          cohesion + " is strongest at an overlap of " + digits(c.overlap_at_pull_off()) +
+              " of the reduced radius, and values are those of small overlaps: " +
+              "decrease cohesionEnergyDensity or increase youngsModulus");
     if (bond >= negligible_bond_number) return;
     std::string text = cohesion + " has a Bond number of " + digits(bond) +
                        ", too small to hold the smallest grain";
@@ -182,23 +189,25 @@ class ScriptWarnings {
     else
       text += ": increase " + std::string(c.cohesion().property) + " by the factor " +
               digits(1.0 / bond) + " for a Bond number of 1";
-    add(place(pair), text);
+    add(place(pair), pair, text);
   }
   /// An attraction by area and a linear spring.
   void check_linear_spring(const ContactPairOfTypes& pair, const std::string& cohesion) {
     const ScriptContact& c = pair.smallest;
     if (c.pull_off_force() > 0.0)
-      add(place(pair), cohesion + " exceeds the spring at every overlap and spheres collapse: " +
-                           "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
+      add(place(pair), pair,
+          cohesion + " exceeds the spring at every overlap and spheres collapse: " +
+              "decrease cohesionEnergyDensity, or use 'cohesion hamaker'");
     else if (c.escape_velocity() > 0.0)
-      add(place(pair), cohesion +
-                           " reduces the spring until the dashpot damps it critically, and " +
-                           "contacts never separate: decrease cohesionEnergyDensity, or use " +
-                           "'cohesion hamaker'");
+      add(place(pair), pair,
+          cohesion + " reduces the spring until the dashpot damps it critically, and " +
+              "contacts never separate: decrease cohesionEnergyDensity, or use " +
+              "'cohesion hamaker'");
     else
-      add(pair.model->where, cohesion + " has no pull-off force with model " + pair.model->normal +
-                                 ", whose spring exceeds it at every overlap: use model hertz, "
-                                 "or 'cohesion hamaker'");
+      add(pair.model->where, pair,
+          cohesion + " has no pull-off force with model " + pair.model->normal +
+              ", whose spring exceeds it at every overlap: use model hertz, "
+              "or 'cohesion hamaker'");
   }
 
   std::string area_remedy(const ScriptContact& c) const {
@@ -219,8 +228,17 @@ class ScriptWarnings {
   const ScriptCommand& place(const ContactPairOfTypes& pair) const {
     return script_.need(pair.smallest.cohesion().property, *pair.model).where();
   }
+  struct Finding {
+    std::string place, text;
+    std::vector<std::string> contacts;  // none: of the script as a whole
+  };
   void add(const ScriptCommand& where, const std::string& text) {
-    texts_.push_back(where.place() + ": " + text);
+    findings_.push_back({where.place(), text, {}});
+  }
+  void add(const ScriptCommand& where, const ContactPairOfTypes& pair, const std::string& text) {
+    for (Finding& f : findings_)
+      if (f.place == where.place() && f.text == text) return f.contacts.push_back(pair.title);
+    findings_.push_back({where.place(), text, {pair.title}});
   }
   static std::string digits(double value) {
     std::ostringstream text;
@@ -231,7 +249,7 @@ class ScriptWarnings {
 
   const ScriptCase& script_;
   ContactConditions conditions_;
-  std::vector<std::string> texts_;
+  std::vector<Finding> findings_;
   std::set<std::string> warned_;
 };
 

@@ -249,9 +249,27 @@ class Script(Translated):
         self.assertEqual(self.call(script, "--write", "equal-force", self.folder / "out.case")[0], 0)
         text = (self.folder / "out.case").read_text()
         self.assertEqual((text.count("cohesion hamaker mesh"), text.count("sjkr mesh")), (2, 0))
-        # A switch that differs is another contact.
+        # A switch without effect on the numbers.
         code, output, _ = self.call(script.replace("1 meshes cad", "1 meshes cad tangential_reduce on"))
-        self.assertEqual(output.count("wall 'cad'"), 2)
+        self.assertEqual(output.count("wall 'cad'"), 1)
+
+    def test_equal_contacts_are_printed_once(self):
+        """Types 1 and 2 are alike, and so are the walls."""
+        script = self.changed(
+            ("2e7 2e7", "2e7 2e7 2e7"), ("0.22 0.22", "0.22 0.22 0.22"), ("2 0.9 0.9 0.9 0.9", "3" + 9 * " 0.9"),
+            ("2 2e5 1e5 &\n    1e5 0", "3" + 9 * " 1e5"), ("primitive type 2", "primitive type 3"), ("timestep 1e-6", "timestep 1e-5"))
+        script += self.PLATE.replace("plate", "lid").replace("type 2", "type 3")
+        script += next(line for line in SCRIPT.splitlines() if "fix p1" in line).replace(
+            "p1", "p2").replace("atom_type 1", "atom_type 2") + "\n"
+        code, output, error = self.call(script)
+        self.assertEqual(code, 0, error)
+        self.assertEqual(output.count("Bond number"), 2)
+        self.assertIn("\ntypes 1 and 1;\ntypes 1 and 2;\ntypes 2 and 2, model hertz, cohesion sjkr\n", output)
+        self.assertIn("\n" + ";\n".join(f"type {i} and wall '{wall}' of type 3" for wall in ("plate", "lid")
+                                       for i in (1, 2)) + ", model hertz", output)
+        self.assertIn("in.case:8: types 1 and 1; types 1 and 2; types 2 and 2: 7.87 time steps per contact", error)
+        found, _ = self.contacts(script)
+        self.assertEqual(len(found), 7)
 
     def test_two_walls_of_meshes_are_warned_of(self):
         walls = self.MESHES.format("1 meshes cad")
@@ -357,7 +375,7 @@ class Written(Translated):
         return target.read_text(), error
 
     def test_equal_force(self):
-        text, _ = self.written(SCRIPT, "--write", "equal-force")
+        text, _ = self.written(self.changed(("${R}", "5e-4")), "--write", "equal-force")
         self.assertNotIn("sjkr primitive", text)
         # A = 6 F H_cut^2/R* by hand: 6 * 9.35917e-5 * 1.6e-19/2.5e-4
         self.assertIn("fix k all property/global hamakerConstant peratomtypepair 2 3.5939204e-19 8.984801e-20 "
@@ -390,15 +408,50 @@ class Written(Translated):
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
 
+    def test_variables_of_the_energy_density_and_of_the_radius_stay(self):
+        script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("# own case", "variable k index 2e5"))
+        for law, property in (("hamaker", "hamakerConstant"), ("jkr", "surfaceEnergy")):
+            text, error = self.written(script, "--write", "equal-force", "--law", law)
+            self.assertNotIn("in numbers", error)
+            self.assertIn(f"peratomtypepair 2 ${{{property}_1_1}} ${{{property}_1_2}} ${{{property}_1_2}} 0\n", text)
+            for words in ((), ("--var", "k", 1.5e5), ("--var", "R", 2e-4), ("--var", "k", 3e5, "R", 1e-3)):
+                given, _ = self.contacts(script, *words)
+                found, _ = self.contacts(text, *words)
+                for name in ("1-1", "1-plate"):
+                    self.near(found[name]["pull_off"][1], given[name]["pull_off"][1])
+
+    def test_the_comment_states_what_the_numbers_derive_from(self):
+        bond = sjkr_force(2e5, RADIUS / 2) / (MASS * GRAVITY)
+        text, _ = self.written(SCRIPT, "--write", "equal-force")
+        self.assertIn("# Pull-off force F ~ R*^2 k^3/E*^2 of the median grains with sjkr: hamakerConstant = "
+                      f"6 F H_cut^2/R*, in proportion to the Bond number {bond:.4g} (1-1), {bond / 2:.3g}", text)
+        text, _ = self.written(SCRIPT, "--write", "equal-velocity")
+        speed = self.contacts(SCRIPT)[0]["1-1"]["escape_velocity"][1]
+        self.assertIn(f"# Escape velocity of the median grains with sjkr: {speed:.4g} (1-1), ", text)
+
+    def lost(self, script, rule="equal-force"):
+        """Variables whose value is in numbers of the script that is written."""
+        _, error = self.written(script, "--write", rule)
+        for name in re.findall("translate again with '--var (\\w+) VALUE'", error):
+            self.assertIn("the script that is written has hamakerConstant in numbers, for this value of the variable "
+                          f"'{name}': translate again", error)
+        return re.findall("translate again with '--var (\\w+) VALUE'", error)
+
     def test_a_variable_that_has_no_effect_any_more_is_warned_of(self):
         script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("    1e5 0", "    1e5 $z"),
                               ("# own case", "variable k index 2e5\nvariable z index 0"))
-        text, error = self.written(script, "--write", "equal-force")
-        self.assertIn("in.case:8: the script that is written has hamakerConstant in numbers, for this value of the "
-                      "variable 'k': translate again with '--var k VALUE' for another", error)
-        self.assertIn("variable 'z'", error)
-        self.assertNotIn("variable 'R'", error)
-        self.assertNotIn("in numbers", self.written(SCRIPT, "--write", "equal-force")[1])
+        self.assertEqual(self.lost(self.changed(("variable R index 5e-4", ""), ("${R}", "5e-4"))), [])
+        self.assertEqual(self.lost(script), [])  # nothing adheres between walls
+        self.assertEqual(self.lost(script, "equal-velocity"), ["R", "k"])
+        self.assertEqual(self.lost(self.changed(("peratomtype 2e7", "peratomtype $E"),
+                                                ("# own case", "variable E index 2e7"))), ["E"])
+        # A radius that changes behind the property, or that has several values.
+        for lines in ("variable R index 5e-4\nvariable R delete\nvariable R index 4e-4",
+                      "variable D string 1e-3\nvariable D string 8e-4\nvariable R equal v_D/2"):
+            self.assertEqual(self.lost(self.changed(("variable R index 5e-4", lines))), ["R"])
+        self.assertEqual(self.lost(self.changed(("constant ${R}", "uniform ${R} 6e-4"))), ["R"])
+        self.assertEqual(self.lost(self.changed(("variable R index 5e-4\n", ""),
+                                                ("fix p1", "variable R index 5e-4\nfix p1"))), ["R"])
 
     def test_blank_lines_of_a_script_with_carriage_returns_stay(self):
         script = self.changed(("units si\n", "units si\n\n\n"))
@@ -421,7 +474,7 @@ class Written(Translated):
         self.assertIn("hamakerSurfaceCutoff scalar 4e-08", text)
 
     def test_wall_of_the_type_of_grains(self):
-        script = self.changed(("primitive type 2", "primitive type 1"), ("2 2e5 1e5", "2 2e5 0"),
+        script = self.changed(("primitive type 2", "primitive type 1"), ("2 2e5 1e5", "2 2e5 0"), ("${R}", "5e-4"),
                               ("    1e5 0", "    0 0"))
         text, error = self.written(script, "--write", "equal-force")
         self.assertIn("peratomtypepair 2 3.5939204e-19 0 0 0\n", text)

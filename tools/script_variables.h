@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "script_case.h"
+#include "script_text.h"
+
+namespace cohesion::tools {
+
+/// Of the forms ${name}, $n and v_name in a text.
+inline std::set<std::string> variables_in(const std::string& text) {
+  static const std::regex variable(R"(\$\{(\w+)\}|\$(\w)|\bv_(\w+))");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), variable), end; at != end; ++at)
+    names.insert((*at)[1].str() + (*at)[2].str() + (*at)[3].str());
+  return names;
+}
+
+/// What a number depends on.
+struct Factor {
+  std::string word;  ///< of the script, with its variables; empty: it has none
+  double value;
+  int power;         ///< with which the number grows with the value; 0: by another law
+  bool is_in_place;  ///< the variables have the same values where the number is written
+};
+
+/// Words [first, last) of a command, on which a number depends by another law.
+inline Factor other_factor(const ScriptCommand& c, std::size_t first, std::size_t last) {
+  std::string words;
+  for (std::size_t k = first; k < last; k++) words += c.word_with_variables(k);
+  return {words, 0.0, 0, false};
+}
+
+/// The radius of a type: of its only size, or of several.
+inline Factor radius_factor(const Grains& grains, int power) {
+  const ScriptCommand& c = grains.where;
+  const bool is_set = c.words[0] == "set";
+  const std::size_t at = c.find(is_set ? "diameter" : "radius") + 1;
+  const bool is_one = is_set || (c.has(at) && c.words[at] == "constant");
+  if (!is_one) return other_factor(c, at, at + 4);
+  const double size = is_set ? 2.0 * grains.median.radius : grains.median.radius;
+  const bool is_only = grains.smallest.radius == grains.median.radius;
+  return {c.word_with_variables(is_set ? at : at + 1), size, is_only ? power : 0, false};
+}
+
+/// The reduced radius of two types, or of a type and a wall, that grows with the radius if both
+/// have the same.
+inline std::vector<Factor> radius_factors(const std::map<int, Grains>& grains, int i, int j,
+                                          int power) {
+  std::vector<Factor> all;
+  for (const int type : {i, j}) {
+    const auto found = grains.find(type);
+    if (found == grains.end()) continue;
+    const Factor radius = radius_factor(found->second, power);
+    if (all.empty() || all.back().word != radius.word) all.push_back(radius);
+  }
+  if (all.size() > 1)
+    for (Factor& factor : all) factor.power = 0;
+  return all;
+}
+
+/// Numbers of a command that is written, as equal-style variables where they depend on variables of
+/// the script.
+class NumbersWithVariables {
+ public:
+  /// lines: of the script that stand before the command, and behind it.
+  NumbersWithVariables(std::string name, const std::vector<std::string>& before,
+                       const std::vector<std::string>& behind)
+      : name_(std::move(name)) {
+    for (const std::string& line : before) define(line, true);
+    for (const std::string& line : behind) define(line, false);
+  }
+
+  /// The number, or the variable with it.
+  std::string operator()(const std::string& pair, double number,
+                         const std::vector<Factor>& factors) {
+    std::string formula = text("%.8g", number);
+    for (const Factor& f : factors) {
+      if (f.word.empty()) continue;
+      if (f.power == 0 || f.value == 0.0 || !(f.is_in_place || are_known(f.word))) {
+        for (const std::string& name : variables_in(f.word)) lost_.insert(name);
+        continue;
+      }
+      formula += text("*(%s/%.8g)", f.word.c_str(), f.value);
+      if (f.power != 1) formula += text("^%d", f.power);
+    }
+    if (formula.find('$') == std::string::npos) return formula;
+    const auto [at, is_new] = names_.try_emplace(formula, name_ + '_' + pair);
+    if (is_new) lines_ += "variable " + at->second + " equal " + formula + '\n';
+    return "${" + at->second + '}';
+  }
+
+  /// The commands that define the variables, each with its end of line.
+  const std::string& lines() const { return lines_; }
+  /// Variables without effect.
+  const std::set<std::string>& lost() const { return lost_; }
+
+ private:
+  struct Definition {
+    std::string text;
+    bool is_before;
+    int count;
+  };
+
+  void define(const std::string& line, bool is_before) {
+    static const std::regex command(R"(\s*variable\s+(\w+)\s+\w+\s+([^]*))");
+    std::smatch found;
+    if (!std::regex_match(line, found, command)) return;
+    const auto at =
+        definitions_.try_emplace(found[1].str(), Definition{found[2].str(), is_before, 0});
+    at.first->second.count++;
+  }
+  /// Each is defined once, before the command, and so are those that it depends on.
+  bool are_known(const std::string& word, int depth = 0) const {
+    for (const std::string& name : variables_in(word)) {
+      const auto found = definitions_.find(name);
+      if (found == definitions_.end() || found->second.count != 1 || !found->second.is_before)
+        return false;
+      if (depth > 20 || !are_known(found->second.text, depth + 1)) return false;
+    }
+    return true;
+  }
+
+  std::string name_, lines_;
+  std::map<std::string, Definition> definitions_;
+  std::map<std::string, std::string> names_;  // of formulas
+  std::set<std::string> lost_;
+};
+
+}  // namespace cohesion::tools
