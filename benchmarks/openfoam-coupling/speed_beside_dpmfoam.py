@@ -3,12 +3,14 @@
 """Seconds of cohesiveBedFoam beside OpenFOAM's own DPMFoam: same mesh, gas step, spheres and drag
 closure, contacts with friction in both, about as many particle steps (DPMFoam chooses its own). Both on
 one core, alternately; processor time, as the clock of a busy machine says little. And the memory of each per
-sphere: what the largest resident size grows by with ten times as many layers.
+sphere: what the largest resident size grows by with ten times as many layers; of cohesiveBedFoam also where it neither
+writes nor keeps a state.
 
     speed_beside_dpmfoam.py BUILD WORK [REPEATS] [--csv FILE]
 
 A program and no test: a time has no right value."""
 
+import functools
 import os
 import re
 import statistics
@@ -118,8 +120,8 @@ def prepare(case, steps):
         case.set("system/controlDict", entry, value)
 
 
-def ours(column, layers=LAYERS, steps=STEPS):
-    """Seconds, bytes, share of the exchange [%], particle steps."""
+def ours(column, layers=LAYERS, steps=STEPS, states=True):
+    """Seconds, bytes, share of the exchange [%], particle steps. `states`: whether it writes and keeps some."""
     case = column("cohesiveBedFoam")
     coupling = "constant/couplingProperties"
     case.set(coupling, "drag", "ergunWenYu")
@@ -132,8 +134,11 @@ def ours(column, layers=LAYERS, steps=STEPS):
         text = re.sub(f"^{line} .*$", new, text, flags=re.M)
     script.write_text(text)
     prepare(case, steps)
+    if not states:
+        case.set("system/controlDict", "writeInterval", 1)
     case.mesh()
-    time, memory = used(case, "cohesiveBedFoam")
+    # With this file handler the solver keeps none.
+    time, memory = used(case, "cohesiveBedFoam", *([] if states else ["-fileHandler", "masterUncollated"]))
     log = case.log("cohesiveBedFoam").read_text()
     share = float(re.search(r"^    exchange +\S+ s, (\S+) %", log, re.M)[1])
     made = re.findall(r"Created (\d+) atoms", (case.folder / "log.lammps").read_text())
@@ -171,10 +176,12 @@ def theirs(column, layers=LAYERS, steps=STEPS):
     return time, memory, None, sum(map(int, cycles))
 
 
-# Of coupled_speed.csv: of speed and of memory
-CASES = {"cohesiveBedFoam": ("{} falling spheres of 2 mm, cells of 5 mm: cohesiveBedFoam, {} particle steps",
-                             "cohesiveBedFoam with LAMMPS, states written"),
-         "DPMFoam": ("the same case, gas step and closure in OpenFOAM's DPMFoam, {1} particle steps", "DPMFoam")}
+# Of coupled_speed.csv: cases of the speed, cases and programs of the memory
+CASES = {"cohesiveBedFoam": "{} falling spheres of 2 mm, cells of 5 mm: cohesiveBedFoam, {} particle steps",
+         "DPMFoam": "the same case, gas step and closure in OpenFOAM's DPMFoam, {1} particle steps"}
+MEMORY = {"cohesiveBedFoam with LAMMPS, states written": ours,
+          "cohesiveBedFoam with LAMMPS, no state written or kept": functools.partial(ours, states=False),
+          "DPMFoam": theirs}
 
 
 def main():
@@ -191,17 +198,17 @@ def main():
     for name, runs in results.items():
         time, steps = statistics.median(r[0] for r in runs), runs[0][3]
         medians[name] = time
-        csv_table.enter_quantities(args.csv, "speed", CASES[name][0].format(n, steps), {"seconds": f"{time:.1f}"})
+        csv_table.enter_quantities(args.csv, "speed", CASES[name].format(n, steps), {"seconds": f"{time:.1f}"})
         print(f"{name}: {n} spheres, {STEPS} gas steps, {steps} particle steps: {time:.2f} s "
               f"({', '.join(f'{r[0]:.2f}' for r in runs)}), {time / (STEPS * DT):.0f} s per simulated "
               f"second, {1e6 * time / (n * steps):.2f} us per sphere and particle step")
     exchange = statistics.median(r[2] for r in results["cohesiveBedFoam"])
     print(f"ratio of the times: {medians['DPMFoam'] / medians['cohesiveBedFoam']:.1f}; "
           f"share of the exchange in cohesiveBedFoam: {exchange:.0f} %")
-    for name, program in (("cohesiveBedFoam", ours), ("DPMFoam", theirs)):
+    for name, program in MEMORY.items():
         few, many = program(column, steps=FEW), program(column, layers=MANY, steps=FEW)
         extra = len(positions(MANY)) - n
-        csv_table.enter_quantities(args.csv, "memory", CASES[name][1], {
+        csv_table.enter_quantities(args.csv, "memory", name, {
             "bytes per additional sphere": f"{(many[1] - few[1]) / extra:.0f}"})
         print(f"{name}: {few[1] / 2**20:.0f} MB with {n} spheres, {many[1] / 2**20:.0f} MB with {n + extra}: "
               f"{(many[1] - few[1]) / extra:.0f} bytes per sphere"
