@@ -178,6 +178,10 @@ class ScriptCase {
     const std::size_t at = c.find("gran");
     if (at == c.words.size()) {
       if (c.word(1, "a style").rfind("hybrid", 0) == 0 || c.words[1] == "none") return;
+      if (c.words[1] == "granular")
+        c.fail(
+            "pair_style granular of LAMMPS is not evaluated: use gran/jkr for jkr, and "
+            "gran/hamaker with the constant 24 pi gamma H_cut^2 for dmt");
       c.fail("pair_style " + c.words[1] +
              " is not evaluated: write it as 'pair_style gran model hertz tangential history "
              "cohesion sjkr', the syntax of LIGGGHTS 3");

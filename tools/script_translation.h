@@ -250,17 +250,28 @@ class TranslatedScript {
     return {property(), before, behind};
   }
 
-  /// What the strength of a pair depends on. With equal pull-off forces it grows with k^3 and R*.
+  /// What the strength of a pair depends on. With equal pull-off forces it grows with k^3, R* and
+  /// 1/E*^2.
   std::vector<Factor> factors(const ScriptCommand& density, int types, int i, int j) const {
     if (!strengths_.count({i, j})) return {};
     const std::size_t at = 6 + static_cast<std::size_t>(types * (i - 1) + j);
-    const bool is_power = !translation_.keeps_velocity;
-    std::vector<Factor> all = radius_factors(script_.grains(), i, j, is_power ? 1 : 0);
+    const int is_power = translation_.keeps_velocity ? 0 : 1;
+    std::vector<Factor> all = radius_factors(script_.grains(), i, j, is_power);
     all.push_back({density.word_with_variables(at), density.number(at, "an energy density"),
-                   is_power ? 3 : 0, true});
-    for (const char* name : {"youngsModulus", "poissonsRatio"})
-      if (const ScriptProperty* property = script_.find(name))
-        all.push_back(other_factor(property->where(), 6, property->where().words.size()));
+                   3 * is_power, true});
+    if (const ScriptProperty* modulus = script_.find("youngsModulus")) {
+      const auto moduli = modulus_factors(*modulus, i, j, -2 * is_power);
+      all.insert(all.end(), moduli.begin(), moduli.end());
+    }
+    const auto add_other = [&](const ScriptCommand& c) {
+      all.push_back(other_factor(c, 4, c.words.size()));
+    };
+    if (const ScriptProperty* ratio = script_.find("poissonsRatio")) add_other(ratio->where());
+    if (!translation_.keeps_velocity) return all;
+    add_other(script_.need("coefficientRestitution", *models_.front()).where());
+    for (const int type : {i, j})
+      if (const auto found = script_.grains().find(type); found != script_.grains().end())
+        add_other(found->second.where);
     return all;
   }
 

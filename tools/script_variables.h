@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <regex>
 #include <set>
@@ -49,20 +51,32 @@ inline Factor radius_factor(const Grains& grains, int power) {
   return {c.word_with_variables(is_set ? at : at + 1), size, is_only ? power : 0, false};
 }
 
-/// The reduced radius of two types, or of a type and a wall, that grows with the radius if both
-/// have the same.
+/// A quantity of two types, in proportion to that of each if both have the same word.
+inline std::vector<Factor> common_factors(std::vector<Factor> of_types) {
+  const bool is_common = of_types.empty() || of_types.front().word == of_types.back().word;
+  if (is_common) of_types.resize(std::min<std::size_t>(of_types.size(), 1));
+  if (!is_common)
+    for (Factor& factor : of_types) factor.power = 0;
+  return of_types;
+}
+
+/// The reduced radius of two types, or of a type and a wall.
 inline std::vector<Factor> radius_factors(const std::map<int, Grains>& grains, int i, int j,
                                           int power) {
   std::vector<Factor> all;
-  for (const int type : {i, j}) {
-    const auto found = grains.find(type);
-    if (found == grains.end()) continue;
-    const Factor radius = radius_factor(found->second, power);
-    if (all.empty() || all.back().word != radius.word) all.push_back(radius);
-  }
-  if (all.size() > 1)
-    for (Factor& factor : all) factor.power = 0;
-  return all;
+  for (const int type : {i, j})
+    if (const auto found = grains.find(type); found != grains.end())
+      all.push_back(radius_factor(found->second, power));
+  return common_factors(all);
+}
+
+/// The effective modulus of two types.
+inline std::vector<Factor> modulus_factors(const ScriptProperty& modulus, int i, int j, int power) {
+  std::vector<Factor> all;
+  for (const int type : {i, j})
+    all.push_back({modulus.where().word_with_variables(static_cast<std::size_t>(type) + 5),
+                   modulus.of_type(type), power, false});
+  return common_factors(all);
 }
 
 /// Numbers of a command that is written, as equal-style variables where they depend on variables of

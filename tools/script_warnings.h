@@ -24,7 +24,7 @@ class ScriptWarnings {
   /// Contacts with the same finding at the same place are in one text.
   std::vector<std::string> texts() const {
     std::vector<std::string> texts;
-    for (const Finding& f : findings_)
+    for (const MergedWarning& f : findings_)
       texts.push_back(f.place + ": " + joined(f.contacts, "; ") + (f.contacts.empty() ? "" : ": ") +
                       f.text);
     return texts;
@@ -228,7 +228,7 @@ class ScriptWarnings {
   const ScriptCommand& place(const ContactPairOfTypes& pair) const {
     return script_.need(pair.smallest.cohesion().property, *pair.model).where();
   }
-  struct Finding {
+  struct MergedWarning {
     std::string place, text;
     std::vector<std::string> contacts;  // none: of the script as a whole
   };
@@ -236,7 +236,7 @@ class ScriptWarnings {
     findings_.push_back({where.place(), text, {}});
   }
   void add(const ScriptCommand& where, const ContactPairOfTypes& pair, const std::string& text) {
-    for (Finding& f : findings_)
+    for (MergedWarning& f : findings_)
       if (f.place == where.place() && f.text == text) return f.contacts.push_back(pair.title);
     findings_.push_back({where.place(), text, {pair.title}});
   }
@@ -249,7 +249,7 @@ class ScriptWarnings {
 
   const ScriptCase& script_;
   ContactConditions conditions_;
-  std::vector<Finding> findings_;
+  std::vector<MergedWarning> findings_;
   std::set<std::string> warned_;
 };
 

@@ -257,7 +257,8 @@ class Script(Translated):
         """Types 1 and 2 are alike, and so are the walls."""
         script = self.changed(
             ("2e7 2e7", "2e7 2e7 2e7"), ("0.22 0.22", "0.22 0.22 0.22"), ("2 0.9 0.9 0.9 0.9", "3" + 9 * " 0.9"),
-            ("2 2e5 1e5 &\n    1e5 0", "3" + 9 * " 1e5"), ("primitive type 2", "primitive type 3"), ("timestep 1e-6", "timestep 1e-5"))
+            ("2 2e5 1e5 &\n    1e5 0", "3" + 9 * " 1e5"), ("primitive type 2", "primitive type 3"),
+            ("timestep 1e-6", "timestep 1e-5"))
         script += self.PLATE.replace("plate", "lid").replace("type 2", "type 3")
         script += next(line for line in SCRIPT.splitlines() if "fix p1" in line).replace(
             "p1", "p2").replace("atom_type 1", "atom_type 2") + "\n"
@@ -408,17 +409,28 @@ class Written(Translated):
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
 
-    def test_variables_of_the_energy_density_and_of_the_radius_stay(self):
-        script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("# own case", "variable k index 2e5"))
+    def test_variables_of_energy_density_radius_and_modulus_stay(self):
+        script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("peratomtype 2e7 2e7", "peratomtype $E $E"),
+                              ("# own case", "variable k index 2e5\nvariable E index 2e7"))
         for law, property in (("hamaker", "hamakerConstant"), ("jkr", "surfaceEnergy")):
             text, error = self.written(script, "--write", "equal-force", "--law", law)
             self.assertNotIn("in numbers", error)
             self.assertIn(f"peratomtypepair 2 ${{{property}_1_1}} ${{{property}_1_2}} ${{{property}_1_2}} 0\n", text)
-            for words in ((), ("--var", "k", 1.5e5), ("--var", "R", 2e-4), ("--var", "k", 3e5, "R", 1e-3)):
+            for words in ((), ("--var", "k", 1.5e5), ("--var", "R", 2e-4), ("--var", "k", 3e5, "R", 1e-3),
+                          ("--var", "E", 1e7)):
                 given, _ = self.contacts(script, *words)
                 found, _ = self.contacts(text, *words)
                 for name in ("1-1", "1-plate"):
                     self.near(found[name]["pull_off"][1], given[name]["pull_off"][1])
+
+    def test_a_bond_number_that_sets_the_energy_density_stays(self):
+        script = self.changed(("2 2e5 1e5 &", "2 ${k} ${k} &"), ("    1e5 0", "    ${k} 0"),
+                              ("# own case", "variable B index 10\nvariable k equal 1e5*v_B^(1/3)"))
+        text, error = self.written(script, "--write", "equal-force")
+        self.assertNotIn("in numbers", error)
+        one, other = (self.contacts(text, *words)[0] for words in ((), ("--var", "B", 25)))
+        for name in ("1-1", "1-plate"):
+            self.near(other[name]["bond_number"][1], 2.5 * one[name]["bond_number"][1])
 
     def test_the_comment_states_what_the_numbers_derive_from(self):
         bond = sjkr_force(2e5, RADIUS / 2) / (MASS * GRAVITY)
@@ -443,8 +455,12 @@ class Written(Translated):
         self.assertEqual(self.lost(self.changed(("variable R index 5e-4", ""), ("${R}", "5e-4"))), [])
         self.assertEqual(self.lost(script), [])  # nothing adheres between walls
         self.assertEqual(self.lost(script, "equal-velocity"), ["R", "k"])
-        self.assertEqual(self.lost(self.changed(("peratomtype 2e7", "peratomtype $E"),
-                                                ("# own case", "variable E index 2e7"))), ["E"])
+        self.assertEqual(self.lost(self.changed(("peratomtypepair 2 0.9", "peratomtypepair 2 $e"), ("2500", "$d"),
+                                                ("# own case", "variable e index 0.9\nvariable d index 2500")),
+                                   "equal-velocity"), ["R", "d", "e"])
+        defined = "# own case", "variable E index 2e7\nvariable n index 0.22"
+        self.assertEqual(self.lost(self.changed(("peratomtype 2e7", "peratomtype $E"), defined)), ["E"])
+        self.assertEqual(self.lost(self.changed(("peratomtype 0.22 0.22", "peratomtype $n $n"), defined)), ["n"])
         # A radius that changes behind the property, or that has several values.
         for lines in ("variable R index 5e-4\nvariable R delete\nvariable R index 4e-4",
                       "variable D string 1e-3\nvariable D string 8e-4\nvariable R equal v_D/2"):
@@ -582,6 +598,8 @@ class Errors(Translated):
                      "in.case:9: 'cohesion jkr' needs 'model hertz', not 'model hooke'")
         self.refused(self.changed(("pair_style gran model hertz", "pair_style gran/hertz/history 1 0 #")),
                      "in.case:9", "LIGGGHTS 3")
+        self.refused(self.changed(("pair_style gran model hertz", "pair_style granular #")),
+                     "in.case:9: pair_style granular of LAMMPS is not evaluated", "gran/jkr for jkr")
         self.refused(self.changed(("youngsModulus", "youngModulus")), "youngsModulus", "add this line")
         self.refused(self.changed(("variable R index", "#")),
                      "in.case:11: the value of the variable 'R'", "--var R VALUE")
