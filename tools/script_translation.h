@@ -205,11 +205,37 @@ class TranslatedScript {
     lines[static_cast<std::size_t>(c.line) - 1] = text;
   }
 
-  std::string with_law(const ScriptCommand& c, const std::string& line) const {
+  /// Word k names the cohesion model, or the switch that this package lacks.
+  static bool is_replaced(const ScriptCommand& c, std::size_t k) {
+    const std::string &word = c.words[k], &before = k > 0 ? c.words[k - 1] : word;
+    return word == "cohesion" || before == "cohesion" || word == "tangential_reduce" ||
+           before == "tangential_reduce";
+  }
+  /// The lines of a command, with values in place of the variables that hold such words.
+  static std::string expanded(const ScriptCommand& c, std::string line) {
+    std::size_t at = 0, k = 0;
+    for (std::size_t origin = 0; origin < c.written.size(); origin++) {
+      std::vector<std::string> values;
+      bool is_changed = false;
+      for (; k < c.words.size() && c.origins[k] == origin; k++) {
+        values.push_back(c.words[k]);
+        is_changed = is_changed || is_replaced(c, k);
+      }
+      const std::string& written = c.written[origin];
+      const std::string value = is_changed ? joined(values, " ") : written;
+      at = line.find(written, at);
+      line.replace(at, written.size(), value);
+      at += value.size();
+    }
+    return line;
+  }
+
+  std::string with_law(const ScriptCommand& c, std::string line) const {
     static const std::regex model(R"((cohesion(?:\s|&)+)sjkr2?(?!\S))"),
         reduce(R"(\s+tangential_reduce\s+(?:on|off)(?!\S))");
+    line = expanded(c, line);
     if (!std::regex_search(line, model))
-      c.fail("its cohesion is the value of a variable: write 'cohesion sjkr' for a translation");
+      c.fail("its cohesion model is in quotes: remove the quotes for a translation");
     return std::regex_replace(std::regex_replace(line, model, "$1" + translation_.law), reduce, "");
   }
 
@@ -257,8 +283,8 @@ class TranslatedScript {
     const std::size_t at = 6 + static_cast<std::size_t>(types * (i - 1) + j);
     const int is_power = translation_.keeps_velocity ? 0 : 1;
     std::vector<Factor> all = radius_factors(script_.grains(), i, j, is_power);
-    all.push_back({density.word_with_variables(at), density.number(at, "an energy density"),
-                   3 * is_power, true});
+    all.push_back(
+        factor_of(density, at, density.number(at, "an energy density"), 3 * is_power, true));
     if (const ScriptProperty* modulus = script_.find("youngsModulus")) {
       const auto moduli = modulus_factors(*modulus, i, j, -2 * is_power);
       all.insert(all.end(), moduli.begin(), moduli.end());

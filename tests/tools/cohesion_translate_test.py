@@ -234,6 +234,23 @@ class Script(Translated):
         found, _ = self.contacts(script, "--var", "D", "2e-3")
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS))
 
+    def test_a_variable_may_have_several_words(self):
+        given, _ = self.contacts(SCRIPT)
+        model = "model hertz tangential history cohesion sjkr"
+        script = self.changed(
+            (f"pair_style gran {model}", "pair_style gran $m"), (f"wall/gran {model}", "wall/gran ${wallmodel}"),
+            ("peratomtype 2e7 2e7", "peratomtype ${E}"), ("sphere 1 atom_type 1", "sphere ${seed_and_type}"),
+            ("# own case", f"variable m index '{model}' other\nvariable wallmodel string \"{model}\"\n"
+                           "variable E string '2e7 2e7'\nvariable seed_and_type string \"1 atom_type  1\""))
+        found, error = self.contacts(script)
+        self.assertEqual((found, error), (given, ""))
+        # One word in quotes, in which no variable is replaced.
+        script = self.changed(("${R}", "$n"), ("variable R", "variable n equal '2 * v_R - 5e-4'\nvariable R"))
+        self.assertEqual(self.contacts(script)[0], given)
+        code, _, error = self.call(script.replace("'2 * v_R", "'2 * ${R}"))
+        self.assertNotEqual(code, 0)
+        self.assertIn("the value of the variable 'n'", error)
+
     MESHES = ("fix cad all mesh/surface file x.stl type 2\nfix lid all mesh/surface/stress file y.stl type 2\n"
               "fix w all wall/gran model hertz tangential history cohesion sjkr mesh n_meshes {}\n")
     PLATE = "fix plate all wall/gran model hertz tangential history cohesion sjkr primitive type 2 zplane 0\n"
@@ -409,6 +426,22 @@ class Written(Translated):
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
 
+    def test_variables_that_hold_the_model_are_replaced_on_its_line(self):
+        model = "hertz tangential history cohesion sjkr tangential_reduce on rolling_friction cdt"
+        script = self.changed(
+            ("model hertz tangential history cohesion sjkr primitive type 2", "${model} primitive type $t"),
+            ("cohesion sjkr  #", "cohesion &\n ${c} # ${c}"),
+            ("# own case", f'variable model string "model {model}"\nvariable c index sjkr\nvariable t index 2'))
+        text, error = self.written(script, "--write", "equal-force")
+        self.assertIn("fix plate all wall/gran model hertz tangential history cohesion hamaker rolling_friction cdt "
+                      "primitive type $t zplane 0\n", text)
+        self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # ${c} of pairs\n", text)
+        self.assertIn("'tangential_reduce on' is removed", error)
+        given, _ = self.contacts(script)
+        found, _ = self.contacts(text)
+        for name in ("1-1", "1-plate"):
+            self.near(found[name]["pull_off"][1], given[name]["pull_off"][1])
+
     def test_variables_of_energy_density_radius_and_modulus_stay(self):
         script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("peratomtype 2e7 2e7", "peratomtype $E $E"),
                               ("# own case", "variable k index 2e5\nvariable E index 2e7"))
@@ -466,6 +499,9 @@ class Written(Translated):
                       "variable D string 1e-3\nvariable D string 8e-4\nvariable R equal v_D/2"):
             self.assertEqual(self.lost(self.changed(("variable R index 5e-4", lines))), ["R"])
         self.assertEqual(self.lost(self.changed(("constant ${R}", "uniform ${R} 6e-4"))), ["R"])
+        # A variable with several words.
+        self.assertEqual(self.lost(self.changed(("peratomtype 2e7 2e7", "peratomtype $m"),
+                                                ("# own case", "variable m string '2e7 2e7'"))), ["m"])
         self.assertEqual(self.lost(self.changed(("variable R index 5e-4\n", ""),
                                                 ("fix p1", "variable R index 5e-4\nfix p1"))), ["R"])
 
@@ -533,8 +569,8 @@ class Written(Translated):
                 (SCRIPT, ("equal-force", self.folder / "in.case"), ("would replace the script",)),
                 (SCRIPT, ("equal-force", "/nowhere/out"), ("'/nowhere/out' cannot be written",)),
                 (SCRIPT.replace("cohesion sjkr", ""), ("equal-force", "out"), ("no cohesion sjkr",)),
-                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("# own case", "variable c index sjkr")),
-                 ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
+                (self.changed(("cohesion sjkr  #", "cohesion 'sjkr' #")),
+                 ("equal-force", self.folder / "out"), ("in.case:9", "cohesion model is in quotes")),
                 (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
                 (self.changed(("model hertz", "model hooke"))
                  + "fix v all property/global characteristicVelocity scalar 2\n",
