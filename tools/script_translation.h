@@ -15,6 +15,7 @@
 
 #include "advice/integrated_escape.h"
 #include "contact/jkr_spring_dashpot.h"
+#include "exact_step.h"
 #include "powder/grain_contact.h"
 #include "script_report.h"
 #include "script_variables.h"
@@ -69,8 +70,9 @@ inline double translated_strength(const ScriptContact& c, const Translation& t) 
 /// Writes a script with the properties and models of this package in place of sjkr and sjkr2.
 class TranslatedScript {
  public:
-  TranslatedScript(const std::string& file, const ScriptCase& script, const Translation& t)
-      : file_(file), script_(script), translation_(t) {}
+  TranslatedScript(const std::string& file, const ScriptCase& script, const Translation& t,
+                   const ContactConditions& conditions)
+      : file_(file), script_(script), translation_(t), exact_step_(conditions) {}
 
   /// Walls behind pairs: a wall of a grain's type has the strength of the pair.
   void add(const ContactPairOfTypes& contact) {
@@ -83,9 +85,10 @@ class TranslatedScript {
     if (is_new) {
       strengths_[{contact.i, contact.j}] = strengths_[{contact.j, contact.i}] = strength;
       note(contact);
-      return;
     }
     const double used = strengths_[{contact.i, contact.j}];
+    check_step(contact, used);
+    if (is_new) return;
     if (std::abs(used - strength) > 1e-3 * strength)
       warnings_.push_back(contact.model->where.place() + ": " + contact.title + " would need " +
                           property() + ' ' + text("%.4g", strength) + " and shares " +
@@ -129,6 +132,18 @@ class TranslatedScript {
                         translation_.law +
                         " does not reduce friction: check the friction "
                         "coefficients");
+  }
+
+  /// The smallest grains have the strength that is written for the median.
+  void check_step(const ContactPairOfTypes& contact, double strength) {
+    const ScriptContact& c = contact.smallest;
+    if (contact.model->normal != "hertz") return;
+    const bool is_jkr = translation_.law == "jkr", is_hamaker = !is_jkr && strength > 0.0;
+    exact_step_.add(
+        contact.title,
+        c.pair_with_friction(
+            is_hamaker ? c.hamaker_adhesion(translation_.hamaker(strength)) : contact::Adhesion{},
+            is_jkr ? strength : 0.0));
   }
 
   /// Variables that the numbers of the script depended on.
@@ -223,9 +238,10 @@ class TranslatedScript {
       }
       const std::string& written = c.written[origin];
       const std::string value = is_changed ? joined(values, " ") : written;
-      at = line.find(written, at);
-      line.replace(at, written.size(), value);
-      at += value.size();
+      const std::size_t found = line.find(written, at);
+      if (found == std::string::npos) continue;  // a word in quotes, on several lines
+      line.replace(found, written.size(), value);
+      at = found + value.size();
     }
     return line;
   }
@@ -252,7 +268,7 @@ class TranslatedScript {
                               factors(density, types, i, j));
       }
     warn_of_variables(numbers.lost());
-    line = comment() + '\n' + numbers.lines() + line;
+    line = comment() + '\n' + comment_of_step() + numbers.lines() + line;
     if (translation_.law == "jkr") return line;
     const std::string fix = "\nfix " + density.words[1];
     return line + fix + "_cut all property/global hamakerSurfaceCutoff scalar " +
@@ -267,6 +283,15 @@ class TranslatedScript {
     return "# Pull-off force F ~ R*^2 k^3/E*^2" + of + ": " + property() +
            (translation_.law == "jkr" ? " = F/(3 pi R*)" : " = 6 F H_cut^2/R*") +
            ", in proportion to the Bond number " + noted();
+  }
+
+  /// A line of its own; empty: none.
+  std::string comment_of_step() {
+    const std::string finding = exact_step_.finding();
+    if (finding.empty()) return "";
+    warnings_.push_back(script_.run().timestep()->place() +
+                        ": the script that is written: " + finding);
+    return "# WARNING: " + finding + '\n';
   }
 
   NumbersWithVariables numbers_of(const Lines& lines, const ScriptCommand& density) const {
@@ -304,6 +329,7 @@ class TranslatedScript {
   std::string file_;
   const ScriptCase& script_;
   Translation translation_;
+  ExactStep exact_step_;
   std::vector<const GranularModel*> models_;
   std::set<std::pair<int, int>> evaluated_;  // the lower type first
   std::map<std::pair<int, int>, double> strengths_;
