@@ -2,6 +2,7 @@
 // cohesion-translate: what the cohesion of a script of LIGGGHTS amounts to.
 // Manual: docs/tools/cohesion-translate.md
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -11,12 +12,15 @@
 #include <system_error>
 #include <vector>
 
+#include "advice/advised_step.h"
 #include "cohesion_version.h"
 #include "command_line.h"
 #include "script_case.h"
 #include "script_contact.h"
 #include "script_reader.h"
 #include "script_report.h"
+#include "script_run.h"
+#include "script_text.h"
 #include "script_translation.h"
 #include "script_warnings.h"
 
@@ -80,23 +84,37 @@ std::map<std::string, std::string> variables_of(const TranslateRequest& r) {
   throw std::runtime_error("units " + script.unit_name() + " have no " + what_and_cure);
 }
 
+/// assumed [length/time]: where neither script nor command line has a speed.
+FastestSphere fastest_of(const TranslateRequest& r, const ScriptRun& run, double assumed) {
+  if (r.speed > 0.0) return {advice::fastest_over_impact * r.speed, "three times --speed"};
+  const double insertion = run.insertion_speed().value_or(0.0), fall = run.fall_speed();
+  std::vector<std::string> origins;
+  if (insertion > 0.0) origins.push_back("insertion");
+  if (fall > 0.0) origins.push_back("fall through the box");
+  if (origins.empty()) return {assumed, "assumed"};
+  return {std::hypot(insertion, fall), joined(origins, " and ")};
+}
+
 ContactConditions conditions_of(const TranslateRequest& r, const ScriptCase& script) {
   ContactConditions conditions{};
   const advice::SiUnits* units = script.units();
-  conditions.is_speed_assumed = !(r.speed > 0.0) && !script.speed();
-  conditions.is_gravity_assumed = !script.gravity();
+  const ScriptRun& run = script.run();
+  conditions.is_speed_assumed = !(r.speed > 0.0) && !run.insertion_speed();
+  conditions.is_gravity_assumed = !run.gravity();
   if (!units && conditions.is_speed_assumed)
     require_in_units(script, "speed in metres per second: specify --speed");
   if (!units && conditions.is_gravity_assumed)
     require_in_units(script,
                      "acceleration in metres per second squared: add 'fix ID all gravity ...'");
   const double metre = units ? 1.0 / units->length : 1.0, second = units ? 1.0 / units->time : 1.0;
-  conditions.speed = r.speed > 0.0 ? r.speed : script.speed().value_or(metre / second);
-  conditions.gravity = script.gravity().value_or(9.81 * metre / (second * second));
-  conditions.step = script.step().value_or(0.0);
+  conditions.speed = r.speed > 0.0 ? r.speed : run.insertion_speed().value_or(metre / second);
+  conditions.gravity = run.gravity().value_or(9.81 * metre / (second * second));
+  conditions.step = run.step().value_or(0.0);
   if (!(conditions.gravity > 0.0))
     throw std::runtime_error(
         "fix gravity has no acceleration above 0, so that there is no Bond number: specify one");
+  conditions.gravity_of_run = run.gravity().value_or(0.0);
+  conditions.fastest = fastest_of(r, run, conditions.speed);
   return conditions;
 }
 
@@ -203,7 +221,8 @@ void run(const TranslateRequest& r) {
   warn(warnings.texts());
   if (r.write.empty()) return;
   refuse_to_replace(reader.files(), r.write[1]);
-  TranslatedScript translated(r.script, script, translation_of(r, script, conditions.gravity));
+  TranslatedScript translated(r.script, script, translation_of(r, script, conditions.gravity),
+                              conditions);
   for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
   translated.write(r.write[1]);
   warn(translated.warnings());

@@ -13,6 +13,7 @@
 
 #include "advice/si_units.h"
 #include "script_reader.h"
+#include "script_run.h"
 #include "sphere.h"
 
 namespace cohesion::tools {
@@ -123,9 +124,7 @@ class ScriptCase {
     for (const WallOfScript& wall : walls_) types.insert(wall.type);
     return types;
   }
-  const std::optional<double>& step() const { return step_; }
-  const std::optional<double>& gravity() const { return gravity_; }
-  const std::optional<double>& speed() const { return speed_; }
+  const ScriptRun& run() const { return run_; }
 
   /// Null: the script has none.
   const ScriptProperty* find(const std::string& name) const {
@@ -152,9 +151,9 @@ class ScriptCase {
   };
 
   void read(const ScriptCommand& c) {
+    run_.read(c);
     const std::string& name = c.words[0];
     if (name == "units") units_ = c.word(1, "the name of the units");
-    if (name == "timestep") step_ = c.number(1, "the time step");
     if (name == "create_atoms") created_.insert(c.integer(1, "the atom type"));
     if (name == "set") set_commands_.push_back(c);
     if (name == "pair_style") read_pair_style(c);
@@ -213,10 +212,6 @@ class ScriptCase {
       c.fail("fix " + style +
              " is not evaluated: write it as 'fix ID all wall/gran model hertz tangential history "
              "cohesion sjkr primitive type 1 zplane 0.0', the syntax of LIGGGHTS 3");
-    } else if (style == "gravity") {
-      gravity_ = c.number(4, "the acceleration");
-    } else if (style.rfind("insert/", 0) == 0) {
-      read_insertion(c);
     }
   }
 
@@ -240,18 +235,6 @@ class ScriptCase {
         c.fail("mesh '" + id + "' has no 'fix mesh/surface ... type': define it before the wall");
       walls_.push_back({id, type->second, model});
     }
-  }
-
-  /// The fastest insertion is the speed of impacts.
-  void read_insertion(const ScriptCommand& c) {
-    const std::size_t at = c.find("vel");
-    if (!c.has(at + 1) || (c.words[at + 1] != "constant" && c.words[at + 1] != "uniform")) return;
-    double square = 0.0;
-    for (std::size_t k = at + 2; k < at + 5; k++) {
-      const double v = c.number(k, "a velocity");
-      square += v * v;
-    }
-    if (square > 0.0) speed_ = std::max(speed_.value_or(0.0), std::sqrt(square));
   }
 
   /// Smallest radius, and median by mass, of the distribution behind `at`:
@@ -393,7 +376,7 @@ class ScriptCase {
   std::map<int, Grains> grains_;
   std::set<int> created_;
   std::vector<ScriptCommand> set_commands_;
-  std::optional<double> step_, gravity_, speed_;
+  ScriptRun run_;
 };
 
 }  // namespace cohesion::tools

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -93,6 +94,8 @@ class ScriptContact {
     p.restitution = of_pair("coefficientRestitution");
     return p;
   }
+  /// Neither sjkr nor without cohesion.
+  bool has_exact_scheme() const { return !is_area() && cohesion_.property; }
   bool is_hertz() const { return std::holds_alternative<contact::HertzSpringDashpot>(spring_); }
 
   /// The largest net attraction; infinite: of any load, the spheres collapse.
@@ -142,9 +145,19 @@ class ScriptContact {
                       hamaker::forms.front().law(p, false));
   }
   advice::ElasticPair jkr_pair(double surface_energy) const {
+    return elastic_pair(elastic(), {}, surface_energy);
+  }
+  /// The contact of 'model hertz' with friction, and Hamaker or JKR adhesion or none.
+  advice::ElasticPair pair_with_friction(const contact::Adhesion& adhesion,
+                                         double surface_energy) const {
     contact::ContactParameters p = elastic();
-    contact::set_surface_energy(p, surface_energy);
-    return {p, pair_.reduced_radius(), pair_.reduced_mass()};
+    p.friction = friction("tangential", {"history", "no_history"}, "coefficientFriction");
+    p.rolling_friction = friction("rolling_friction", {"epsd2"}, "coefficientRollingFriction");
+    return elastic_pair(p, adhesion, surface_energy);
+  }
+  /// The same with the adhesion of the script.
+  advice::ElasticPair pair_with_friction() const {
+    return pair_with_friction(adhesion_, jkr_ ? strength_ : 0.0);
   }
 
  private:
@@ -153,6 +166,19 @@ class ScriptContact {
 
   double of_pair(const std::string& name) const {
     return script_.need(name, model_).of_pair(pair_.i, pair_.j);
+  }
+  advice::ElasticPair elastic_pair(contact::ContactParameters p, const contact::Adhesion& adhesion,
+                                   double surface_energy) const {
+    if (surface_energy > 0.0) contact::set_surface_energy(p, surface_energy);
+    return {p, pair_.reduced_radius(), pair_.reduced_mass(), adhesion};
+  }
+  /// Of models with a spring; 0: there is none, or LIGGGHTS stops as it lacks the property.
+  double friction(const char* keyword, const std::set<std::string>& models,
+                  const char* property) const {
+    const ScriptCommand& c = model_.where;
+    const std::size_t at = c.find(keyword) + 1;
+    const bool has_spring = c.has(at) && models.count(c.words[at]);
+    return has_spring && script_.find(property) ? of_pair(property) : 0.0;
   }
   Spring spring() const {
     const double mass = pair_.reduced_mass(), radius = pair_.reduced_radius();

@@ -24,7 +24,8 @@ struct ScriptCommand {
   int line = 0;  ///< of its first word
   std::vector<std::string> words;
   int last_line = 0;
-  std::vector<std::string> written = {};  ///< the words with their variables
+  std::vector<std::string> written = {};  ///< the words of the script, with their variables
+  std::vector<std::size_t> origins = {};  ///< of each word, its place in `written`
 
   std::string place() const { return file + ':' + std::to_string(line); }
 
@@ -57,9 +58,15 @@ struct ScriptCommand {
     return std::min(from, words.size());
   }
 
-  /// Word k with its variables; empty: it has none.
+  /// What the script has for word k, with variables; empty: it has none.
   std::string word_with_variables(std::size_t k) const {
-    return k < written.size() && written[k].find('$') != std::string::npos ? written[k] : "";
+    if (k >= origins.size()) return "";
+    const std::string& text = written[origins[k]];
+    return text.find('$') != std::string::npos ? text : "";
+  }
+  /// Not one of several words of a variable.
+  bool is_whole(std::size_t k) const {
+    return k >= origins.size() || std::count(origins.begin(), origins.end(), origins[k]) == 1;
   }
 
   static std::optional<double> number_of(const std::string& text) {
@@ -121,10 +128,10 @@ class ScriptReader {
         whole = whole.substr(0, last) + ' ';
         continue;
       }
-      add({file, first, words_of(whole), line, {}});
+      add({file, first, {}, line}, whole);
       whole.clear();
     }
-    add({file, first, words_of(whole), line, {}});
+    add({file, first, {}, line}, whole);
   }
 
   static std::string without_comment(const std::string& text) {
@@ -136,25 +143,38 @@ class ScriptReader {
     return text;
   }
 
+  struct WrittenWord {
+    std::string text;
+    bool is_quoted;
+  };
+
   /// Words; those in quotes are one, without the quotes.
-  static std::vector<std::string> words_of(const std::string& text) {
-    std::vector<std::string> words;
+  static std::vector<WrittenWord> words_of(const std::string& text) {
+    std::vector<WrittenWord> words;
     std::size_t k = 0;
     while ((k = text.find_first_not_of(" \t", k)) != std::string::npos) {
       const bool quoted = text[k] == '"' || text[k] == '\'';
       const std::size_t begin = quoted ? k + 1 : k;
       const std::size_t end = quoted ? text.find(text[k], begin) : text.find_first_of(" \t", begin);
-      words.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+      words.push_back({text.substr(begin, end == std::string::npos ? end : end - begin), quoted});
       if (end == std::string::npos) break;
       k = quoted ? end + 1 : end;
     }
     return words;
   }
 
-  void add(ScriptCommand command) {
+  /// As in LIGGGHTS, a variable may have several words, and quotes keep it from being replaced.
+  void add(ScriptCommand command, const std::string& line) {
+    for (const WrittenWord& written : words_of(line)) {
+      const auto values = written.is_quoted ? std::vector<WrittenWord>{written}
+                                            : words_of(substituted(written.text));
+      for (const WrittenWord& value : values) {
+        command.words.push_back(value.text);
+        command.origins.push_back(command.written.size());
+      }
+      command.written.push_back(written.text);
+    }
     if (command.words.empty()) return;
-    command.written = command.words;
-    for (std::string& word : command.words) word = substituted(word);
     if (command.words[0] == "variable") set_variable(command);
     if (command.words[0] == "include") {
       include(command);

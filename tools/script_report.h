@@ -11,12 +11,20 @@
 
 namespace cohesion::tools {
 
+/// Of a run, by what the script or the command line has.
+struct FastestSphere {
+  double speed;  ///< [length/time]
+  std::string origin;
+};
+
 /// The conditions under which contacts are evaluated, in the units of the script.
 struct ContactConditions {
   double speed, gravity;
   double step;              ///< 0: the script has none
   bool is_speed_assumed;    ///< neither script nor command line has one
   bool is_gravity_assumed;  ///< the script has none
+  double gravity_of_run;    ///< 0: the script has none
+  FastestSphere fastest;
 };
 
 /// Grains of two types, or of a type at a wall: the smallest of both, and the median of both.

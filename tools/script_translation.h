@@ -15,6 +15,7 @@
 
 #include "advice/integrated_escape.h"
 #include "contact/jkr_spring_dashpot.h"
+#include "exact_step.h"
 #include "powder/grain_contact.h"
 #include "script_report.h"
 #include "script_variables.h"
@@ -69,8 +70,9 @@ inline double translated_strength(const ScriptContact& c, const Translation& t) 
 /// Writes a script with the properties and models of this package in place of sjkr and sjkr2.
 class TranslatedScript {
  public:
-  TranslatedScript(const std::string& file, const ScriptCase& script, const Translation& t)
-      : file_(file), script_(script), translation_(t) {}
+  TranslatedScript(const std::string& file, const ScriptCase& script, const Translation& t,
+                   const ContactConditions& conditions)
+      : file_(file), script_(script), translation_(t), exact_step_(conditions) {}
 
   /// Walls behind pairs: a wall of a grain's type has the strength of the pair.
   void add(const ContactPairOfTypes& contact) {
@@ -83,9 +85,10 @@ class TranslatedScript {
     if (is_new) {
       strengths_[{contact.i, contact.j}] = strengths_[{contact.j, contact.i}] = strength;
       note(contact);
-      return;
     }
     const double used = strengths_[{contact.i, contact.j}];
+    check_step(contact, used);
+    if (is_new) return;
     if (std::abs(used - strength) > 1e-3 * strength)
       warnings_.push_back(contact.model->where.place() + ": " + contact.title + " would need " +
                           property() + ' ' + text("%.4g", strength) + " and shares " +
@@ -129,6 +132,18 @@ class TranslatedScript {
                         translation_.law +
                         " does not reduce friction: check the friction "
                         "coefficients");
+  }
+
+  /// The smallest grains have the strength that is written for the median.
+  void check_step(const ContactPairOfTypes& contact, double strength) {
+    const ScriptContact& c = contact.smallest;
+    if (contact.model->normal != "hertz") return;
+    const bool is_jkr = translation_.law == "jkr", is_hamaker = !is_jkr && strength > 0.0;
+    exact_step_.add(
+        contact.title,
+        c.pair_with_friction(
+            is_hamaker ? c.hamaker_adhesion(translation_.hamaker(strength)) : contact::Adhesion{},
+            is_jkr ? strength : 0.0));
   }
 
   /// Variables that the numbers of the script depended on.
@@ -205,11 +220,38 @@ class TranslatedScript {
     lines[static_cast<std::size_t>(c.line) - 1] = text;
   }
 
-  std::string with_law(const ScriptCommand& c, const std::string& line) const {
+  /// Word k names the cohesion model, or the switch that this package lacks.
+  static bool is_replaced(const ScriptCommand& c, std::size_t k) {
+    const std::string &word = c.words[k], &before = k > 0 ? c.words[k - 1] : word;
+    return word == "cohesion" || before == "cohesion" || word == "tangential_reduce" ||
+           before == "tangential_reduce";
+  }
+  /// The lines of a command, with values in place of the variables that hold such words.
+  static std::string expanded(const ScriptCommand& c, std::string line) {
+    std::size_t at = 0, k = 0;
+    for (std::size_t origin = 0; origin < c.written.size(); origin++) {
+      std::vector<std::string> values;
+      bool is_changed = false;
+      for (; k < c.words.size() && c.origins[k] == origin; k++) {
+        values.push_back(c.words[k]);
+        is_changed = is_changed || is_replaced(c, k);
+      }
+      const std::string& written = c.written[origin];
+      const std::string value = is_changed ? joined(values, " ") : written;
+      const std::size_t found = line.find(written, at);
+      if (found == std::string::npos) continue;  // a word in quotes, on several lines
+      line.replace(found, written.size(), value);
+      at = found + value.size();
+    }
+    return line;
+  }
+
+  std::string with_law(const ScriptCommand& c, std::string line) const {
     static const std::regex model(R"((cohesion(?:\s|&)+)sjkr2?(?!\S))"),
         reduce(R"(\s+tangential_reduce\s+(?:on|off)(?!\S))");
+    line = expanded(c, line);
     if (!std::regex_search(line, model))
-      c.fail("its cohesion is the value of a variable: write 'cohesion sjkr' for a translation");
+      c.fail("its cohesion model is in quotes: remove the quotes for a translation");
     return std::regex_replace(std::regex_replace(line, model, "$1" + translation_.law), reduce, "");
   }
 
@@ -226,7 +268,7 @@ class TranslatedScript {
                               factors(density, types, i, j));
       }
     warn_of_variables(numbers.lost());
-    line = comment() + '\n' + numbers.lines() + line;
+    line = comment() + '\n' + comment_of_step() + numbers.lines() + line;
     if (translation_.law == "jkr") return line;
     const std::string fix = "\nfix " + density.words[1];
     return line + fix + "_cut all property/global hamakerSurfaceCutoff scalar " +
@@ -243,6 +285,15 @@ class TranslatedScript {
            ", in proportion to the Bond number " + noted();
   }
 
+  /// A line of its own; empty: none.
+  std::string comment_of_step() {
+    const std::string finding = exact_step_.finding();
+    if (finding.empty()) return "";
+    warnings_.push_back(script_.run().timestep()->place() +
+                        ": the script that is written: " + finding);
+    return "# WARNING: " + finding + '\n';
+  }
+
   NumbersWithVariables numbers_of(const Lines& lines, const ScriptCommand& density) const {
     std::vector<std::string> before, behind;
     for (std::size_t k = 0; k < lines.size(); k++)
@@ -257,8 +308,8 @@ class TranslatedScript {
     const std::size_t at = 6 + static_cast<std::size_t>(types * (i - 1) + j);
     const int is_power = translation_.keeps_velocity ? 0 : 1;
     std::vector<Factor> all = radius_factors(script_.grains(), i, j, is_power);
-    all.push_back({density.word_with_variables(at), density.number(at, "an energy density"),
-                   3 * is_power, true});
+    all.push_back(
+        factor_of(density, at, density.number(at, "an energy density"), 3 * is_power, true));
     if (const ScriptProperty* modulus = script_.find("youngsModulus")) {
       const auto moduli = modulus_factors(*modulus, i, j, -2 * is_power);
       all.insert(all.end(), moduli.begin(), moduli.end());
@@ -278,6 +329,7 @@ class TranslatedScript {
   std::string file_;
   const ScriptCase& script_;
   Translation translation_;
+  ExactStep exact_step_;
   std::vector<const GranularModel*> models_;
   std::set<std::pair<int, int>> evaluated_;  // the lower type first
   std::map<std::pair<int, int>, double> strengths_;

@@ -32,6 +32,12 @@ struct Factor {
   bool is_in_place;  ///< the variables have the same values where the number is written
 };
 
+/// Word k of a command, in proportion to a power of which a number is.
+inline Factor factor_of(const ScriptCommand& c, std::size_t k, double value, int power,
+                        bool is_in_place) {
+  return {c.word_with_variables(k), value, c.is_whole(k) ? power : 0, is_in_place};
+}
+
 /// Words [first, last) of a command, on which a number depends by another law.
 inline Factor other_factor(const ScriptCommand& c, std::size_t first, std::size_t last) {
   std::string words;
@@ -48,7 +54,7 @@ inline Factor radius_factor(const Grains& grains, int power) {
   if (!is_one) return other_factor(c, at, at + 4);
   const double size = is_set ? 2.0 * grains.median.radius : grains.median.radius;
   const bool is_only = grains.smallest.radius == grains.median.radius;
-  return {c.word_with_variables(is_set ? at : at + 1), size, is_only ? power : 0, false};
+  return factor_of(c, is_set ? at : at + 1, size, is_only ? power : 0, false);
 }
 
 /// A quantity of two types, in proportion to that of each if both have the same word.
@@ -74,8 +80,8 @@ inline std::vector<Factor> radius_factors(const std::map<int, Grains>& grains, i
 inline std::vector<Factor> modulus_factors(const ScriptProperty& modulus, int i, int j, int power) {
   std::vector<Factor> all;
   for (const int type : {i, j})
-    all.push_back({modulus.where().word_with_variables(static_cast<std::size_t>(type) + 5),
-                   modulus.of_type(type), power, false});
+    all.push_back(factor_of(modulus.where(), static_cast<std::size_t>(type) + 5,
+                            modulus.of_type(type), power, false));
   return common_factors(all);
 }
 

@@ -10,6 +10,7 @@
 #include "advice/contact_advice.h"
 #include "advice/elastic_pair.h"
 #include "advice/known_materials.h"
+#include "exact_step.h"
 #include "script_report.h"
 
 namespace cohesion::tools {
@@ -19,7 +20,7 @@ namespace cohesion::tools {
 class ScriptWarnings {
  public:
   ScriptWarnings(const ScriptCase& script, const ContactConditions& conditions)
-      : script_(script), conditions_(conditions) {}
+      : script_(script), conditions_(conditions), exact_step_(conditions) {}
 
   /// Contacts with the same finding at the same place are in one text.
   std::vector<std::string> texts() const {
@@ -27,6 +28,8 @@ class ScriptWarnings {
     for (const MergedWarning& f : findings_)
       texts.push_back(f.place + ": " + joined(f.contacts, "; ") + (f.contacts.empty() ? "" : ": ") +
                       f.text);
+    const std::string of_step = exact_step_.finding();
+    if (!of_step.empty()) texts.push_back(script_.run().timestep()->place() + ": " + of_step);
     return texts;
   }
 
@@ -56,6 +59,8 @@ class ScriptWarnings {
     }
     check_overlap(pair);
     if (!(conditions_.step > 0.0)) return;
+    if (c.has_exact_scheme() && pair.model->normal == "hertz")
+      return exact_step_.add(pair.title, c.pair_with_friction());
     const double steps = c.contact_time(conditions_.speed) / conditions_.step;
     const double needed = steps_needed(c);
     if (steps < needed)
@@ -67,7 +72,7 @@ class ScriptWarnings {
  private:
   /// Steps per contact of the engine's models, and of the scheme exact of this package.
   static double steps_needed(const ScriptContact& c) {
-    if (c.is_area() || !c.cohesion().property) return advice::sampled_scheme.steps_for_warning;
+    if (!c.has_exact_scheme()) return advice::sampled_scheme.steps_for_warning;
     return c.is_hertz() ? advice::steps_per_integrated_contact
                         : advice::exact_scheme_one_pass.steps_for_warning;
   }
@@ -249,6 +254,7 @@ class ScriptWarnings {
 
   const ScriptCase& script_;
   ContactConditions conditions_;
+  ExactStep exact_step_;
   std::vector<MergedWarning> findings_;
   std::set<std::string> warned_;
 };

@@ -234,6 +234,23 @@ class Script(Translated):
         found, _ = self.contacts(script, "--var", "D", "2e-3")
         self.near(found["1-1"]["pull_off"][0], sjkr_force(2e5, RADIUS))
 
+    def test_a_variable_may_have_several_words(self):
+        given, _ = self.contacts(SCRIPT)
+        model = "model hertz tangential history cohesion sjkr"
+        script = self.changed(
+            (f"pair_style gran {model}", "pair_style gran $m"), (f"wall/gran {model}", "wall/gran ${wallmodel}"),
+            ("peratomtype 2e7 2e7", "peratomtype ${E}"), ("sphere 1 atom_type 1", "sphere ${seed_and_type}"),
+            ("# own case", f"variable m index '{model}' other\nvariable wallmodel string \"{model}\"\n"
+                           "variable E string '2e7 2e7'\nvariable seed_and_type string \"1 atom_type  1\""))
+        found, error = self.contacts(script)
+        self.assertEqual((found, error), (given, ""))
+        # One word in quotes, in which no variable is replaced.
+        script = self.changed(("${R}", "$n"), ("variable R", "variable n equal '2 * v_R - 5e-4'\nvariable R"))
+        self.assertEqual(self.contacts(script)[0], given)
+        code, _, error = self.call(script.replace("'2 * v_R", "'2 * ${R}"))
+        self.assertNotEqual(code, 0)
+        self.assertIn("the value of the variable 'n'", error)
+
     MESHES = ("fix cad all mesh/surface file x.stl type 2\nfix lid all mesh/surface/stress file y.stl type 2\n"
               "fix w all wall/gran model hertz tangential history cohesion sjkr mesh n_meshes {}\n")
     PLATE = "fix plate all wall/gran model hertz tangential history cohesion sjkr primitive type 2 zplane 0\n"
@@ -359,6 +376,52 @@ class Warnings(Translated):
                     "in.case:9: types 1 and 1", "time steps per contact")
         self.warned(SCRIPT, "press grains by", words=("--speed", 1))
 
+    BOX = "region box {}\ncreate_box 2 box\n"
+    INSERTION = "fix i all insert/pack seed 1 distributiontemplate d vel constant 0 3 -4 region r\n"
+
+    def exact_step(self, script, *words):
+        """Speed of the fastest sphere, what it is, and the time step that is named."""
+        _, error = self.contacts(script, *words)
+        found = re.findall(r"time step 0.001 is longer than advised for the exact scheme \(types 1 and 1, spheres of up "
+                           r"to (\S+) \[length/time\]: (.*)\): use a timestep of at most (\S+)", error)
+        self.assertEqual(len(found), 1, error)
+        return float(found[0][0]), found[0][1], float(found[0][2])
+
+    def test_step_of_the_exact_scheme(self):
+        script = self.changed(("cohesionEnergyDensity", "surfaceEnergy"), ("2 2e5 1e5", "2 1e-4 1e-4"),
+                              ("    1e5 0", "    1e-4 0"), ("sjkr", "jkr"), ("timestep 1e-6", "timestep 1e-3"))
+        block, cylinder = "block -1 1 0 3 0 0.2 units box", "cylinder x 0 0 0.1 -2 2 units box"
+        fall = math.sqrt(2 * GRAVITY * 0.2)
+        for text, words, speed, what in (
+                (script, (), 1, "assumed"), (script, ("--speed", 0.1), 0.3, "three times --speed"),
+                (script + self.BOX.format(block), (), fall, "fall through the box"),
+                (script + self.BOX.format(block), ("--speed", 2), 6, "three times --speed"),
+                (script + self.BOX.format(cylinder), (), fall, "fall through the box"),
+                (script.replace("vector 0 0 -1", "vector 0 3 -4") + self.BOX.format(block), (),
+                 math.sqrt(2 * GRAVITY * (0.6 * 3 + 0.8 * 0.2)), "fall through the box"),
+                (script.replace("vector 0 0 -1", "chute 10") + self.BOX.format(block), (),
+                 math.sqrt(2 * GRAVITY * math.hypot(2, 3, 0.2)), "fall through the box"),
+                (script + self.INSERTION, (), 5, "insertion"),
+                (script + self.INSERTION + self.BOX.format("block INF INF 0 1 0 $x"), (), 5, "insertion"),
+                (script + self.INSERTION + self.BOX.format(block), (), math.hypot(5, fall),
+                 "insertion and fall through the box")):
+            found = self.exact_step(text, *words)
+            self.near(found[0], speed, 5e-3)
+            self.assertEqual(found[1], what)
+            # Of an elastic enough contact without friction: a twentieth of the contact time.
+            self.near(found[2], hertz_time(MASS / 2, RADIUS / 2, speed / 3)[0] / 20, 0.01)
+            _, error = self.contacts(text.replace("timestep 1e-3", f"timestep {found[2]}"), *words)
+            self.assertNotIn("time step", error)
+
+    def test_friction_and_damping_shorten_the_step_of_the_exact_scheme(self):
+        script = self.changed(("cohesionEnergyDensity", "surfaceEnergy"), ("2 2e5 1e5", "2 1e-4 1e-4"),
+                              ("    1e5 0", "    1e-4 0"), ("sjkr", "jkr"), ("timestep 1e-6", "timestep 1e-3"),
+                              ("2 0.9 0.9 0.9 0.9", "2 0.3 0.3 0.3 0.3"))
+        friction = "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+        step = self.exact_step(script)[2]
+        self.assertGreater(step, 1.3 * self.exact_step(script + friction)[2])
+        self.assertEqual(step, self.exact_step(script.replace("tangential history", "tangential off") + friction)[2])
+
     def test_scaled_attraction(self):
         self.warned(self.changed(("history cohesion sjkr  #", "history cohesion sjkr material_modulus on #")),
                     "in.case:9: 'material_modulus on' scales the attraction")
@@ -408,6 +471,32 @@ class Written(Translated):
                 self.assertIn(line, lines)
         self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # of pairs", text)
         self.assertIn("hamakerSurfaceCutoff scalar 5e-10", text)
+
+    def test_variables_that_hold_the_model_are_replaced_on_its_line(self):
+        model = "hertz tangential history cohesion sjkr tangential_reduce on rolling_friction cdt"
+        script = self.changed(
+            ("model hertz tangential history cohesion sjkr primitive type 2", "${model} primitive type $t"),
+            ("cohesion sjkr  #", "cohesion &\n ${c} # ${c}"),
+            ("# own case", f'variable model string "model {model}"\nvariable c index sjkr\nvariable t index 2'))
+        text, error = self.written(script, "--write", "equal-force")
+        self.assertIn("fix plate all wall/gran model hertz tangential history cohesion hamaker rolling_friction cdt "
+                      "primitive type $t zplane 0\n", text)
+        self.assertIn("pair_style gran model hertz tangential history cohesion &\n hamaker # ${c} of pairs\n", text)
+        self.assertIn("'tangential_reduce on' is removed", error)
+        given, _ = self.contacts(script)
+        found, _ = self.contacts(text)
+        for name in ("1-1", "1-plate"):
+            self.near(found[name]["pull_off"][1], given[name]["pull_off"][1])
+
+    def test_the_step_of_the_exact_scheme_is_in_the_comment(self):
+        step = r"time step 0.0001 is longer than advised for the exact scheme \(types 1 and 1, spheres of up to 1 .*"
+        for law in ("hamaker", "jkr"):
+            text, error = self.written(self.changed(("timestep 1e-6", "timestep 1e-4")), "--write", "equal-force",
+                                       "--law", law)
+            self.assertRegex(text, f"\n# WARNING: {step}\nvariable")
+            self.assertRegex(error, f"in.case:13: the script that is written: {step}\n")
+            text, error = self.written(SCRIPT, "--write", "equal-force", "--law", law)
+            self.assertNotIn("time step", text + error)
 
     def test_variables_of_energy_density_radius_and_modulus_stay(self):
         script = self.changed(("2 2e5 1e5 &", "2 ${k} 1e5 &"), ("peratomtype 2e7 2e7", "peratomtype $E $E"),
@@ -466,6 +555,9 @@ class Written(Translated):
                       "variable D string 1e-3\nvariable D string 8e-4\nvariable R equal v_D/2"):
             self.assertEqual(self.lost(self.changed(("variable R index 5e-4", lines))), ["R"])
         self.assertEqual(self.lost(self.changed(("constant ${R}", "uniform ${R} 6e-4"))), ["R"])
+        # A variable with several words.
+        self.assertEqual(self.lost(self.changed(("peratomtype 2e7 2e7", "peratomtype $m"),
+                                                ("# own case", "variable m string '2e7 2e7'"))), ["m"])
         self.assertEqual(self.lost(self.changed(("variable R index 5e-4\n", ""),
                                                 ("fix p1", "variable R index 5e-4\nfix p1"))), ["R"])
 
@@ -533,8 +625,8 @@ class Written(Translated):
                 (SCRIPT, ("equal-force", self.folder / "in.case"), ("would replace the script",)),
                 (SCRIPT, ("equal-force", "/nowhere/out"), ("'/nowhere/out' cannot be written",)),
                 (SCRIPT.replace("cohesion sjkr", ""), ("equal-force", "out"), ("no cohesion sjkr",)),
-                (self.changed(("cohesion sjkr  #", "cohesion ${c} #"), ("# own case", "variable c index sjkr")),
-                 ("equal-force", self.folder / "out"), ("in.case:9", "value of a variable")),
+                (self.changed(("cohesion sjkr  #", "cohesion 'sjkr' #")),
+                 ("equal-force", self.folder / "out"), ("in.case:9", "cohesion model is in quotes")),
                 (self.changed(("2 0.9", "2 1.0")), ("equal-velocity", "out"), ("escape velocity",)),
                 (self.changed(("model hertz", "model hooke"))
                  + "fix v all property/global characteristicVelocity scalar 2\n",
