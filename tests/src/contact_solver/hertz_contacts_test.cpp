@@ -7,6 +7,7 @@
 
 #include "constants.h"
 #include "contact_solver/exact_contact.h"
+#include "contact_solver/pair_in_plane.h"
 #include "contact_solver/spheres.h"
 
 namespace cohesion::contact_solver {
@@ -103,6 +104,35 @@ TEST(HertzContacts, ATangentialSpringThatStiffensGivesNoEnergy) {
         EXPECT_NEAR(left, converged, 4.0 / (part * part)) << angle << " " << part << " " << phase;
       }
   }
+}
+
+TEST(HertzContacts, AnAdhesiveContactIsPersistentUnderAnyLoad) {
+  // An elastic impact under twice F_ad: all but the steps at both ends have the discrete force. The
+  // energy account closes, so that the load and the speed after the impact are those before.
+  const double speed = 0.1, pull = 2e-4;
+  const contact::Adhesion adhesion{pull, thesis::range, pull * thesis::range};
+  const auto law = contact::HertzSpringDashpot::from_restitution(
+      hertz(1.0).modulus, 0.5 * thesis::radius, 1.0, thesis::reduced_mass);
+  for (const double part : {10.0, 20.0})
+    for (int phase = 0; phase < phases; phase++) {
+      const ContactSolver solver(law, adhesion, core, contact_time(speed) / part);
+      PairInPlane pair(solver, core, speed, 0.0, phase);
+      pair.external = 2.0 * pull / thesis::reduced_mass;
+      const auto energy = [&] {
+        const double last = pair.vx, x = pair.x + solver.step() * last;
+        pair.step();
+        return 0.5 * last * pair.vx - pair.external * x;
+      };
+      const double before = energy();
+      int persistent = 0;
+      for (int n = 0; n < 3.0 * part; n++) {
+        pair.step();
+        persistent += pair.state.is_persistent();
+      }
+      EXPECT_GE(persistent, 0.6 * part) << part << " " << phase;
+      EXPECT_EQ(pair.state.phase, ContactState::outside);
+      EXPECT_NEAR(energy(), before, 1e-9 * speed * speed) << part << " " << phase;
+    }
 }
 
 TEST(HertzContacts, TheEnergyOfAFrictionalColumnCloses) {
