@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/hertz_spring_dashpot.h"
 #include "contact_solver/contact_state.h"
@@ -43,7 +42,6 @@ class IntegratedContact {
         inverse_mass_(1.0 / law.reduced_mass()),
         adhesion_(attraction),
         pull_(attraction / law.reduced_mass()),
-        bearable_(attraction > 0.0 ? pull_ : std::numeric_limits<double>::infinity()),
         step_(step),
         twelfth_(step / 12.0),
         is_damped_(law.is_damped()),
@@ -104,8 +102,7 @@ class IntegratedContact {
         arrive(now, outward, at.centrifugal, state, touch_energy - adhesion_ * now.overlap);
     const double spring_and_dashpot = here.at.force - here.at.damping * here.discrete_rate;
     step.force = spring_and_dashpot - adhesion_;
-    if (!lasts(now.overlap, here.discrete_rate, outward + step.force * inverse_mass_, outward))
-      return false;
+    if (!lasts(now.overlap, here.discrete_rate, outward + step.force * inverse_mass_)) return false;
     step.repulsion = spring_and_dashpot + (friction_load_ - adhesion_);
     step.account = here.work + here.dissipated +
                    0.5 * step_ * step.force * (now.rate + 0.5 * step_ * at.centrifugal);
@@ -125,7 +122,7 @@ class IntegratedContact {
     const contact::LawPoint p = point(now.overlap);
     const double own = (p.force - p.damping * rate - adhesion_) * inverse_mass_;
     const double borne = is_new ? std::max(outward, -own) : outward;
-    if (!lasts(now.overlap, rate, own + borne, borne)) return false;
+    if (!lasts(now.overlap, rate, own + borne)) return false;
     const double other = is_new ? 0.5 * own : state.velocity_offset / step_;
     const double first = other + 0.5 * own - 0.125 * step_ * p.stiffness * inverse_mass_ * rate;
     step.force = reduced_mass_ * first;
@@ -230,11 +227,9 @@ class IntegratedContact {
   }
 
   /// Whether a contact whose distance changes at this rate and acceleration is certain to last for
-  /// the step, and bears its load. Between two time levels it may dip below both, by half of the
+  /// the step, whatever its load. Between two time levels it may dip below both, by half of the
   /// way at most.
-  [[gnu::always_inline]] bool lasts(double overlap, double rate, double acceleration,
-                                    double outward) const {
-    if (!(outward < bearable_)) return false;
+  [[gnu::always_inline]] bool lasts(double overlap, double rate, double acceleration) const {
     const double change = step_ * acceleration;
     const double reach = overlap - lowest_;
     const double next_reach = reach - step_ * (rate + 0.5 * change);
@@ -339,7 +334,6 @@ class IntegratedContact {
   double inverse_mass_;
   double adhesion_;  // F_ad
   double pull_;      // F_ad/mu
-  double bearable_;  // load at which a persistent contact parts; infinite without F_ad
   double step_;
   double twelfth_;  // of step_
   bool is_damped_;
