@@ -148,10 +148,12 @@ class NormalMotion {
     }
     const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
     const double start = s.x;
-    if (outward > 0.0 && energy >= adhesion_.tail.barrier(load, -start)) {
+    const hamaker::Tail* const tail = adhesion_.tail;
+    if (tail && outward > 0.0 && energy >= tail->barrier(load, -start, adhesion_.geometry)) {
       // To where the load has done the work that is missing; within the tail.
       const double end = start + 0.5 * remaining / outward;
-      if (adhesion_.tail.contains(-end)) {
+      constexpr double rounding = 1e-12;
+      if (-end <= (1.0 + rounding) * tail->outer_cutoff()) {
         const double taken = in_gap(s, time, {end, start, -outward});
         if (taken < time) {
           s = {end, 0.0};
@@ -163,9 +165,8 @@ class NormalMotion {
     if (rests_at_edge(s, outward)) return rest(s, time, outward, record);
     // One that lost its load on the way turns round where the tail has taken its energy.
     double taken = 0.0;
-    if (start < -adhesion_.cutoff && energy > adhesion_.tail.work_up_to(-start)) {
-      taken = in_gap(s, time, {-adhesion_.tail.outer_cutoff(), start, -outward});
-    }
+    if (tail && start < -adhesion_.cutoff && energy > tail->work_up_to(-start, adhesion_.geometry))
+      taken = in_gap(s, time, {-tail->outer_cutoff(), start, -outward});
     if (taken < time) s.v = std::abs(s.v);
     return taken;
   }
