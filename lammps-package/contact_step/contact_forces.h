@@ -23,7 +23,6 @@ using cohesion::contact_solver::ContactState;
 using cohesion::contact_solver::FrictionalStep;
 using cohesion::contact_solver::PairMotion;
 using cohesion::contact_solver::StoredEnergies;
-using HistorySize = ContactHistory::Size;
 
 /// The contacts of one style on one rank in one step. j < 0: a wall.
 template <class Contact, int SIZE>

@@ -32,13 +32,13 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       advice_filter(std::make_unique<cohesion::advice::WarningFilter>()),
       scheme(Scheme::exact),
       law(attraction.no_law()),
-      per_wall(HistorySize::normal_only),
+      per_wall(ContactHistory::normal_only),
       sizes(),
       travelled(0.0),
       contact_step(nullptr) {
   read(narg, arg);
-  if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
-  if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
+  if (parameters.contact.friction > 0.0) per_wall = ContactHistory::with_friction;
+  if (parameters.contact.rolling_friction > 0.0) per_wall = ContactHistory::with_rolling;
   history.start(faces(), per_wall);
   const int all_walls = static_cast<int>(walls.size() + regions.size());
   forces.start(all_walls);

@@ -81,7 +81,7 @@ class PairContacts : protected Pointers {
   /// The contact of two particles of which at least one moves.
   const Contact& between(int i, int j) { return all_[index_of(particles(), i, j)]; }
 
-  /// Computes the contacts of `pairs` in this step. `size`: ContactHistory::Size with which they
+  /// Computes the contacts of `pairs` in this step. `size`: values per history, with which they
   /// are computed; `only_law`: of all contacts, if they have the same; `tallies`: whether outputs
   /// need energy and virial.
   void compute(const ClosePairs& pairs, int size,

@@ -20,12 +20,12 @@ void PairContacts<Contact>::compute(const ClosePairs& pairs, int size,
   tallies_ = tallies;
   per_pair_ = pairs.each();
   clear();
-  if (size == HistorySize::with_rolling)
-    compute_sized<HistorySize::with_rolling>(pairs, only_law);
-  else if (size == HistorySize::with_friction)
-    compute_sized<HistorySize::with_friction>(pairs, only_law);
+  if (size == ContactHistory::with_rolling)
+    compute_sized<ContactHistory::with_rolling>(pairs, only_law);
+  else if (size == ContactHistory::with_friction)
+    compute_sized<ContactHistory::with_friction>(pairs, only_law);
   else
-    compute_sized<HistorySize::normal_only>(pairs, only_law);
+    compute_sized<ContactHistory::normal_only>(pairs, only_law);
 }
 
 template <class Contact>

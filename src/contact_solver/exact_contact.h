@@ -24,7 +24,7 @@ namespace cohesion::contact_solver {
 /// object: it contains only what does not change from step to step.
 ///
 /// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver, JkrSolver or WellEdgeSolver. The
-/// template parameter SIZE of functions is the number of stored values (ContactHistory::Size): it
+/// template parameter SIZE of functions is the number of stored values (ContactHistory): it
 /// decides whether there is friction and rolling friction.
 template <class Solver>
 class ExactContact {
