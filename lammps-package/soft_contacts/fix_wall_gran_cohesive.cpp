@@ -320,8 +320,8 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
                            contact_step->energy_tally.is_read());
   known.store(near.history, SIZE);
   const Vector3& impulse = result.action.impulse;
-  contact_step->energy_tally.add_work(-dot(near.wall_velocity, impulse));
-  contact_step->energy_tally.add_friction_work(dot(near.wall_velocity, result.friction));
+  contact_step->add_wall_work(-dot(near.wall_velocity, impulse),
+                              dot(near.wall_velocity, result.friction));
   const double kick = contact_forces.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, result)));
 }
