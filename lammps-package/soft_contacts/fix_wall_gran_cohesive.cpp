@@ -306,10 +306,12 @@ template <class Cohesion>
 template <int SIZE, class Contact>
 void FixWallGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& contact_forces, const Contact& c, const Near& near) {
-  const PairMotion now{near.motion.relative, vector(atom->omega[near.i]), {}};
+  const PairMotion now{
+      near.motion.separation, near.motion.velocity, vector(atom->omega[near.i]), {}};
   ContactHistory known = contact_step->starts() ? ContactHistory::unknown()
                                                 : ContactHistory::stored(near.history, SIZE);
-  if (known.normal.is_outside() && !c.within_reach(now.relative, contact_step->moved_by_forces())) {
+  if (known.normal.is_outside() &&
+      !c.within_reach(now.separation, now.velocity, contact_step->moved_by_forces())) {
     *near.history = ContactState::outside;
     return;
   }

@@ -70,10 +70,10 @@ class ExactContact {
 
   /// Whether a pair out of range may enter it in this step. `flown` [length]: upper bound of the
   /// displacement by forces within the step.
-  bool within_reach(const RelativeState& now, double flown) const {
+  bool within_reach(const Vector3& separation, const Vector3& velocity, double flown) const {
     const double range = solver_.outer_distance() + flown;
-    const double square = dot(now.separation, now.separation);
-    const double closing = -step_ * dot(now.separation, now.velocity);
+    const double square = dot(separation, separation);
+    const double closing = -step_ * dot(separation, velocity);
     const double reach = range + std::max(closing, 0.0) / range;
     if (square > reach * reach) return false;
     // A straight flight comes no nearer than its component along the line of centres does.
@@ -88,9 +88,8 @@ class ExactContact {
                                       double flown) const {
     if constexpr (Solver::may_be_idle) {
       if (!ContactState::is_idle(values)) return false;
-      const RelativeState now = motion.relative();
-      return solver_.is_clear(dot(now.separation, now.separation),
-                              step_ * norm(now.velocity) + flown);
+      const Vector3 s = motion.separation();
+      return solver_.is_clear(dot(s, s), step_ * norm(motion.velocity()) + flown);
     } else {
       return false;
     }
@@ -98,7 +97,7 @@ class ExactContact {
 
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
   /// so, and adds its impulses to `step`. Returns false, and changes nothing, where that is not
-  /// certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has; `values`: the
+  /// certain. `now`: its functions read what PairMotion has; `values`: the
   /// stored history; `By`: LinearContact or IntegratedContact; ContactMotion where laws differ;
   /// `energies`: without stored ones, may be null.
   template <int SIZE, class By, class Motion>
@@ -125,7 +124,7 @@ class ExactContact {
   StoredEnergies stored_persistent(const PairMotion& now, const double* before,
                                    const double* values) const {
     const ContactHistory after = ContactHistory::stored(values, SIZE);
-    const StaggeredMotion at = motion(now.relative, 1.0 / norm(now.relative.separation));
+    const StaggeredMotion at = motion(now.separation, now.velocity, 1.0 / norm(now.separation));
     const double overlap = bodies_.distance() - at.distance;
     const ContactState last = ContactState::stored(before);
     ContactEnergies energies;
@@ -144,9 +143,9 @@ class ExactContact {
   FrictionalStep advance(const PairMotion& now, const Vector3& acceleration, bool first,
                          ContactHistory& history, ContactEnergies* energies,
                          bool with_stored = true) const {
-    const Vector3& s = now.relative.separation;
+    const Vector3& s = now.separation;
     const double inverse = 1.0 / norm(s);
-    const StaggeredMotion at = motion(now.relative, inverse);
+    const StaggeredMotion at = motion(s, now.velocity, inverse);
     const double external =
         first ? 0.0 : solver_.external(inverse * dot(s, acceleration), at, history.normal);
     FrictionalStep step;
@@ -191,11 +190,11 @@ class ExactContact {
   void change_step(double last_step, const PairMotion& now, const Vector3& acceleration,
                    ContactHistory& history) const {
     ContactState& state = history.normal;
-    const Vector3& s = now.relative.separation;
+    const Vector3& s = now.separation;
     const double inverse = 1.0 / norm(s);
     if (state.is_persistent()) {
-      state.last_rate =
-          motion(now.relative, inverse).mean_rate(step_) - step_ * inverse * dot(s, acceleration);
+      state.last_rate = motion(s, now.velocity, inverse).mean_rate(step_) -
+                        step_ * inverse * dot(s, acceleration);
     } else if (solver_.gave_impulse(state)) {
       state.force *= last_step / step_;
     } else if (state.phase == ContactState::touching || state.phase == ContactState::inside) {
@@ -210,7 +209,7 @@ class ExactContact {
   /// The impulse of spring, dashpot and friction on j; the rest is adhesion.
   Vector3 by_contact(const PairMotion& now, const FrictionalStep& step) const {
     if (!attracts()) return step.action.impulse;
-    const Vector3& s = now.relative.separation;
+    const Vector3& s = now.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
@@ -231,9 +230,7 @@ class ExactContact {
   [[gnu::always_inline]] bool advance_persistent_by(const By& by, const Motion& now, double* values,
                                                     FrictionalStep& step,
                                                     ContactEnergies* energies) const {
-    RelativeState relative = now.relative();
-    const Vector3& s = relative.separation;
-    const Vector3& v = relative.velocity;
+    Vector3 s = now.separation(), v = now.velocity();
     const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
     const double rate = inverse * dot(s, v);
     DistanceMotion motion =
@@ -271,16 +268,16 @@ class ExactContact {
     return true;
   }
 
-  StaggeredMotion motion(const RelativeState& relative, double inverse) const {
-    const double rate = inverse * dot(relative.separation, relative.velocity);
-    const double across = dot(relative.velocity, relative.velocity) - rate * rate;
+  StaggeredMotion motion(const Vector3& separation, const Vector3& velocity, double inverse) const {
+    const double rate = inverse * dot(separation, velocity);
+    const double across = dot(velocity, velocity) - rate * rate;
     return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
   }
 
   /// The overlap at the next time level without other forces.
   double overlap_at_end(const PairMotion& now, const Vector3& impulse) const {
-    const Vector3 velocity = now.relative.velocity + bodies_.inverse_mass() * impulse;
-    return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
+    const Vector3 velocity = now.velocity + bodies_.inverse_mass() * impulse;
+    return bodies_.distance() - norm(now.separation + step_ * velocity);
   }
 
   /// Adds impulse and energies of sliding friction.
@@ -288,9 +285,9 @@ class ExactContact {
                    const ContactSpring::NormalStep& n, DiscreteSpring::State& state,
                    FrictionalStep& step, ContactEnergies* energies) const {
     ContactSpring::Energies spring;
-    step.friction = sliding_.advance(
-        touch, touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j), {}, n, state,
-        energies ? &spring : nullptr);
+    step.friction =
+        sliding_.advance(touch, touch.sliding_velocity(now.velocity, now.spin_i, now.spin_j), {}, n,
+                         state, energies ? &spring : nullptr);
     touch.add_sliding_impulse(step.friction, step.action);
     if (!energies) return;
     energies->stored.tangential_spring = spring.stored;

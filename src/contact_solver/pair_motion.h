@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "contact_solver/relative_state.h"
+#include "vector3.h"
 
 namespace cohesion::contact_solver {
 
@@ -28,10 +28,12 @@ inline double inverse_inertia(const Body& body) {
   return body.inverse_mass > 0.0 ? 2.5 * body.inverse_mass / (body.radius * body.radius) : 0.0;
 }
 
-/// Relative motion and spins of a pair, or changes of them.
+/// Position and velocity of particle j relative to particle i (of the foot of the normal relative
+/// to the particle's centre, at a wall), and their spins.
 struct PairMotion {
-  RelativeState relative{};
-  Vector3 spin_i{};  ///< [1/time]
+  Vector3 separation{};  ///< [length]
+  Vector3 velocity{};    ///< [length/time]
+  Vector3 spin_i{};      ///< [1/time]
   Vector3 spin_j{};
 };
 

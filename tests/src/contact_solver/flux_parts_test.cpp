@@ -39,7 +39,7 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
   contact::ContactParameters p = thesis::contact();
   p.friction = 0.3;
   const double dt = 1e-5, overlap = 1e-6, rate = 0.01;
-  const PairMotion grid{{{core - overlap, 0.0, 0.0}, {-rate, 0.02, 0.0}}, {}, {}};
+  const PairMotion grid{{core - overlap, 0.0, 0.0}, {-rate, 0.02, 0.0}, {}, {}};
   const double normal = dt * (800.0 * overlap + 0.79e-3 * rate);
   for (const double depth : {0.0, 5e-11}) {
     const double range = depth > 0.0 ? 0.01 * core : 0.0;

@@ -146,10 +146,10 @@ class Spheres {
     const Sphere& i = spheres[c.i];
     if (c.j >= 0) {
       const Sphere& j = spheres[c.j];
-      return {{j.x - i.x, j.v - i.v}, i.spin, j.spin};
+      return {j.x - i.x, j.v - i.v, i.spin, j.spin};
     }
     const Wall& wall = walls[-1 - c.j];
-    return {{-dot(i.x - wall.place, wall.normal) * wall.normal, wall.velocity - i.v}, i.spin, {}};
+    return {-dot(i.x - wall.place, wall.normal) * wall.normal, wall.velocity - i.v, i.spin, {}};
   }
 
   Vector3 momentum() const {
@@ -182,7 +182,8 @@ class Spheres {
   /// A PairMotion as ExactContact::advance_persistent() reads it.
   struct InSteps {
     const PairMotion& now;
-    RelativeState relative() const { return now.relative; }
+    Vector3 separation() const { return now.separation; }
+    Vector3 velocity() const { return now.velocity; }
     Vector3 spin_i() const { return now.spin_i; }
     Vector3 spin_j() const { return now.spin_j; }
   };

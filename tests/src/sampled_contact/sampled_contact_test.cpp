@@ -30,13 +30,14 @@ contact::ContactParameters with_friction() {
 /// As advance_persistent() reads a PairMotion.
 struct Motion {
   PairMotion now;
-  RelativeState relative() const { return now.relative; }
+  Vector3 separation() const { return now.separation; }
+  Vector3 velocity() const { return now.velocity; }
   Vector3 spin_i() const { return now.spin_i; }
   Vector3 spin_j() const { return now.spin_j; }
 };
 
 Motion at_overlap(double overlap, double sideways) {
-  return {{{{core - overlap, 0.0, 0.0}, {-0.01, sideways, 0.0}}, {0.0, 1.0, 2.0}, {3.0, 0.0, 1.0}}};
+  return {{{core - overlap, 0.0, 0.0}, {-0.01, sideways, 0.0}, {0.0, 1.0, 2.0}, {3.0, 0.0, 1.0}}};
 }
 
 ContactHistory inside() {
