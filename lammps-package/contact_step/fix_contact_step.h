@@ -159,7 +159,7 @@ class FixContactStep : public Fix {
 
   /// Adds forces of the last step on i and j while a run that continues it is set up; j < 0: a
   /// wall.
-  void repeat_forces(int i, int j, const cohesion::contact_solver::PairImpulse&) const;
+  void repeat_forces(int i, int j, const cohesion::contact_solver::FrictionalStep&) const;
 
   /// Adds a force [force] of an impulse at the edge of a range, on own particle i.
   void add_impulsive_force(int i, const cohesion::Vector3& on_it) {

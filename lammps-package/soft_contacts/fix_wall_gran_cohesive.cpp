@@ -321,7 +321,7 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
                            contact_step->energy_tally.is_active() ? &energies : nullptr,
                            contact_step->energy_tally.is_read());
   known.store(near.history, SIZE);
-  const Vector3& impulse = result.action.impulse;
+  const Vector3& impulse = result.impulse;
   contact_step->add_wall_work(-dot(near.wall_velocity, impulse),
                               dot(near.wall_velocity, result.friction));
   const double kick = contact_forces.kick();

@@ -82,7 +82,7 @@ template <class Contact>
 [[gnu::noinline]] void PairContacts<Contact>::add_flux(double fraction, const PairMotion& now,
                                                        const Contact& c,
                                                        const FrictionalStep& result) {
-  step_->add_flux(fraction, now.separation, result.action.impulse, c.by_contact(now, result));
+  step_->add_flux(fraction, now.separation, result.impulse, c.by_contact(now, result));
 }
 
 /// Computes a pair in a step with output as in any other step, with what it stores. Returns false
@@ -107,7 +107,7 @@ bool PairContacts<Contact>::read_persistent(const ContactForces<Contact, SIZE>& 
   const StoredEnergies stored = c.template stored_persistent<SIZE>(motion, before, values);
   if (tallies) step_->energy_tally.store(forces.owned_fraction(j), stored);
   if (step_->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, result);
-  if (tallies_) tally_(i, j, motion.separation, stored.potential(), result.action.impulse);
+  if (tallies_) tally_(i, j, motion.separation, stored.potential(), result.impulse);
   return true;
 }
 
@@ -138,7 +138,7 @@ template <int SIZE>
   known.store(values, SIZE);
   has_history = 1;
   if (step_->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, result);
-  if (tallies_) tally_(i, j, motion.separation, energies.stored.potential(), result.action.impulse);
+  if (tallies_) tally_(i, j, motion.separation, energies.stored.potential(), result.impulse);
 }
 
 /// Leaves two particles that forces do not move in range of each other, unless a fix moves one

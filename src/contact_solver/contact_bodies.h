@@ -101,7 +101,7 @@ class ContactBodies {
 
     /// Adds an impulse on j's surface to an action that has no torques yet.
     [[gnu::always_inline]] void add_sliding_impulse(const Vector3& impulse,
-                                                    PairImpulse& action) const {
+                                                    FrictionalStep& action) const {
       const Vector3 turn = cross(plane_.normal, impulse);
       action.impulse += impulse;
       action.torque_i = -lever_i_ * turn;
@@ -109,7 +109,7 @@ class ContactBodies {
     }
     /// Adds the impulse of the rolling spring, which is no force, but the torques R F and -R F.
     [[gnu::always_inline]] void add_rolling_impulse(const Vector3& impulse,
-                                                    PairImpulse& action) const {
+                                                    FrictionalStep& action) const {
       action.torque_i += bodies_.rolling_radius_ * impulse;
       action.torque_j -= bodies_.rolling_radius_ * impulse;
     }

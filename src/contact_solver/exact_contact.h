@@ -156,8 +156,8 @@ class ExactContact {
     const ContactStep normal = solver_.advance(at, external, velocity_step, history.normal);
     step.repulsion = velocity_step * normal.repulsion;
     step.unresolved = normal.record.unresolved;
-    step.action.impulse = (velocity_step * normal.force * inverse) * s;
-    if (solver_.gave_impulse(history.normal)) step.at_edge = step.action.impulse;
+    step.impulse = (velocity_step * normal.force * inverse) * s;
+    if (solver_.gave_impulse(history.normal)) step.at_edge = step.impulse;
     const ContactSpring::NormalStep n{
         before,
         history.normal,
@@ -167,7 +167,7 @@ class ExactContact {
         bodies_.distance() - at.distance,
         bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
         solver_.repulsion(at, before),
-        overlap_at_end(now, step.action.impulse),
+        overlap_at_end(now, step.impulse),
         lowest_overlap_};
     if (energies) {
       const SolvedStep solved{at,           external,         first, before, history.normal,
@@ -208,7 +208,7 @@ class ExactContact {
 
   /// The impulse of spring, dashpot and friction on j; the rest is adhesion.
   Vector3 by_contact(const PairMotion& now, const FrictionalStep& step) const {
-    if (!attracts()) return step.action.impulse;
+    if (!attracts()) return step.impulse;
     const Vector3& s = now.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }
@@ -242,7 +242,7 @@ class ExactContact {
     normal.store_persistent(values);
     if (energies) set_persistent_losses(result, *energies);
     step.repulsion = step_ * result.repulsion;
-    step.action.impulse = (step_ * result.force * inverse) * s;
+    step.impulse = (step_ * result.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       constexpr bool linear = std::is_same_v<By, LinearContact>;
       auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
@@ -252,14 +252,14 @@ class ExactContact {
       step.friction = sliding_.persistent_impulse<linear>(
           touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), result,
           overlap_before, values + ContactHistory::normal_only, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
+      touch.add_sliding_impulse(step.friction, step);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<linear>(
                 touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), result,
                 overlap_before, values + ContactHistory::with_friction,
                 energies ? &rolled : nullptr),
-            step.action);
+            step);
       if (energies) {
         energies->before.tangential_damping = slid.damped;
         energies->before.rolling = rolled.all;
@@ -288,7 +288,7 @@ class ExactContact {
     step.friction =
         sliding_.advance(touch, touch.sliding_velocity(now.velocity, now.spin_i, now.spin_j), {}, n,
                          state, energies ? &spring : nullptr);
-    touch.add_sliding_impulse(step.friction, step.action);
+    touch.add_sliding_impulse(step.friction, step);
     if (!energies) return;
     energies->stored.tangential_spring = spring.stored;
     energies->before.tangential_damping = spring.before.damped;
@@ -300,13 +300,12 @@ class ExactContact {
                    FrictionalStep& step, ContactEnergies* energies) const {
     ContactSpring::Energies spring;
     // Friction has turned the spheres by this much in the middle of a resolved step.
-    const Vector3 turned =
-        touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
-                               bodies_.inverse_inertia_j() * step.action.torque_j);
+    const Vector3 turned = touch.rolling_velocity(bodies_.inverse_inertia_i() * step.torque_i,
+                                                  bodies_.inverse_inertia_j() * step.torque_j);
     touch.add_rolling_impulse(
         rolling_.advance(touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n, state,
                          energies ? &spring : nullptr),
-        step.action);
+        step);
     if (!energies) return;
     energies->stored.rolling_spring = spring.stored;
     energies->before.rolling = spring.before.all;

@@ -49,16 +49,11 @@ struct StoredEnergies {
   double potential() const { return spring + adhesion; }
 };
 
-/// What a contact does to its particles: the impulse acts on j, its reverse on i.
-struct PairImpulse {
+/// What a contact does to its particles in a step: the impulse acts on j, its reverse on i.
+struct FrictionalStep {
   Vector3 impulse{};   ///< [momentum]
   Vector3 torque_i{};  ///< angular impulses, [momentum length]
   Vector3 torque_j{};
-};
-
-/// What a contact does in a step.
-struct FrictionalStep {
-  PairImpulse action{};    ///< impulses and torques
   Vector3 friction{};      ///< impulse of sliding friction on j, [momentum]
   double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
   /// What of the impulse an edge gives, which the next step does not have, [momentum].

@@ -68,7 +68,7 @@ class SampledContact {
     PairStep normal = pair_.advance(separation, velocity, window_, true);
     if (!(normal.record.contact_time > 0.0)) return false;
     ContactState::store_force(normal.force, values);
-    step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
+    step.impulse = bodies_.reduced_mass() * normal.velocity_change;
     step.repulsion = normal.record.repulsion_impulse;
     DiscreteSpring::Losses slid, rolled;
     if constexpr (friction) {
@@ -79,13 +79,13 @@ class SampledContact {
       step.friction = sliding_.persistent_impulse<true>(
           touch.plane(), touch.sliding_velocity(velocity, spin_i, spin_j), pressed, 0.0,
           values + ContactHistory::normal_only, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
+      touch.add_sliding_impulse(step.friction, step);
       if constexpr (rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<true>(touch.plane(), touch.rolling_velocity(spin_i, spin_j),
                                               pressed, 0.0, values + ContactHistory::with_friction,
                                               energies ? &rolled : nullptr),
-            step.action);
+            step);
     }
     if (energies) set_losses(normal, slid, rolled, *energies);
     return true;
@@ -112,10 +112,10 @@ class SampledContact {
     const PairStep normal = pair_.advance(s, grid.velocity, window_, history.normal.in_range());
     history.normal.phase = normal.inside ? ContactState::inside : ContactState::outside;
     FrictionalStep step;
-    step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
+    step.impulse = bodies_.reduced_mass() * normal.velocity_change;
     history.normal.force = normal.force;
     step.repulsion = normal.record.repulsion_impulse;
-    if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
+    if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.impulse;
     DiscreteSpring::Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
@@ -124,13 +124,13 @@ class SampledContact {
           spring_impulse(sliding_, overlaps, touch,
                          touch.sliding_velocity(grid.velocity, grid.spin_i, grid.spin_j), normal,
                          history.sliding, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
+      touch.add_sliding_impulse(step.friction, step);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             spring_impulse(rolling_, overlaps, touch,
                            touch.rolling_velocity(grid.spin_i, grid.spin_j), normal,
                            history.rolling, energies ? &rolled : nullptr),
-            step.action);
+            step);
     }
     if (energies) {
       if (with_stored) energies->stored = stored(grid.separation, history);
@@ -141,7 +141,7 @@ class SampledContact {
 
   /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
   Vector3 by_contact(const PairMotion& grid, const FrictionalStep& step) const {
-    if (!attracts()) return step.action.impulse;
+    if (!attracts()) return step.impulse;
     const Vector3& s = grid.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }

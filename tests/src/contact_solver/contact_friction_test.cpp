@@ -50,7 +50,7 @@ struct Impact {
 
 template <class Any>
 void let_part(Any& pair) {
-  bool met = norm(pair.contacts[0].last.action.impulse) > 0.0;
+  bool met = norm(pair.contacts[0].last.impulse) > 0.0;
   for (int n = 0; n < 10000 && !(met && pair.are_apart()); n++) {
     pair.step();
     met = met || pair.any_in_range();

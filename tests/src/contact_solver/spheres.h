@@ -90,9 +90,9 @@ class Spheres {
       }
       count(law, now, c);
       const double inverse = 1.0 / length;
-      const PairImpulse& a = c.last.action;
+      const FrictionalStep& a = c.last;
       push(c, a, next);
-      PairImpulse steady = a;
+      FrictionalStep steady = a;
       steady.impulse -= c.last.at_edge;
       accelerate(c, steady, inverse, next);
       normal_lost_ += c.energies.before.normal_damping;
@@ -204,7 +204,7 @@ class Spheres {
     const Vector3 of_j = c.j < 0 ? Vector3{} : spheres[c.j].acceleration;
     return of_j - spheres[c.i].acceleration;
   }
-  static void push(const Contact& c, const PairImpulse& a, std::vector<Sphere>& to) {
+  static void push(const Contact& c, const FrictionalStep& a, std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.v -= i.body.inverse_mass * a.impulse;
     i.spin += inverse_inertia(i.body) * a.torque_i;
@@ -213,7 +213,7 @@ class Spheres {
     j.v += j.body.inverse_mass * a.impulse;
     j.spin += inverse_inertia(j.body) * a.torque_j;
   }
-  static void accelerate(const Contact& c, const PairImpulse& a, double inverse,
+  static void accelerate(const Contact& c, const FrictionalStep& a, double inverse,
                          std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.acceleration -= (inverse * i.body.inverse_mass) * a.impulse;
@@ -226,7 +226,7 @@ class Spheres {
   static void count(const ExactContact<Solver>& law, const PairMotion& now, Contact& c) {
     c.by_contact += law.by_contact(now, c.last);
     c.friction += c.last.friction;
-    c.normal_impulse += c.last.action.impulse - c.last.friction;
+    c.normal_impulse += c.last.impulse - c.last.friction;
   }
   /// With the kinetic energy of the staggered velocities before and after the time level.
   void sum_up(const std::vector<Sphere>& next, double stored) {
@@ -255,7 +255,7 @@ class Spheres {
     double done = 0.0;
     for (const Contact& c : contacts) {
       const Sphere& i = all[c.i];
-      const PairImpulse& a = c.last.action;
+      const FrictionalStep& a = c.last;
       const Vector3 partner = c.j < 0 ? walls[-1 - c.j].velocity : all[c.j].v;
       done += dot(c.last.friction, partner - i.v) + dot(a.torque_i, i.spin);
       if (c.j >= 0) done += dot(a.torque_j, all[c.j].spin);

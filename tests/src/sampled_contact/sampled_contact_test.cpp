@@ -69,10 +69,8 @@ TEST(SampledContact, AdvancesATouchingPairOnTheShortPathAsOnTheOther) {
     const FrictionalStep whole = c.advance<size>(motion.now, {}, false, history, &other);
     history.store(expected, size);
     for (int k = 0; k < size; k++) EXPECT_DOUBLE_EQ(values[k], expected[k]) << k;
-    EXPECT_NEAR(norm(step.action.impulse - whole.action.impulse), 0.0,
-                1e-15 * norm(whole.action.impulse));
-    EXPECT_NEAR(norm(step.action.torque_i - whole.action.torque_i), 0.0,
-                1e-15 * norm(whole.action.torque_i));
+    EXPECT_NEAR(norm(step.impulse - whole.impulse), 0.0, 1e-15 * norm(whole.impulse));
+    EXPECT_NEAR(norm(step.torque_i - whole.torque_i), 0.0, 1e-15 * norm(whole.torque_i));
     EXPECT_NEAR(norm(step.friction - whole.friction), 0.0, 1e-15 * norm(whole.friction));
     EXPECT_DOUBLE_EQ(step.repulsion, whole.repulsion);
     EXPECT_DOUBLE_EQ(energies.before.normal_damping, other.before.normal_damping);
