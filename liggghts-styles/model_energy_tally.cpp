@@ -169,6 +169,7 @@ void ModelEnergyTally::clear() {
 void ModelEnergyTally::begin_step(bool is_read) {
   is_read_ = is_read;
   sums_.begin_step();
+  work_.begin_step();
   for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_}) some->begin_step();
   clear();
 }
@@ -179,6 +180,7 @@ void ModelEnergyTally::begin_set_up(bool others_act) {
   mobile_ = IntegratedParticles(lmp_);
   last_ = sums_.stored();
   sums_.begin_again();
+  work_.begin_again();
   for (WorkOfForces* some : {&normal_dashpot_, &tangential_dashpot_, &rolling_})
     some->begin_again();
   clear();
@@ -224,7 +226,7 @@ void ModelEnergyTally::add_work(const ContactPowers& power, double length,
   const auto add = [&](WorkOfForces& work, double all, double later) {
     work.add(length * all - after * later, after * later);
   };
-  add(sums_.friction, power.friction + power.rolling, power_after.friction + power_after.rolling);
+  add(work_.friction, power.friction + power.rolling, power_after.friction + power_after.rolling);
   add(tangential_dashpot_, power.tangential_dashpot, power_after.tangential_dashpot);
   add(normal_dashpot_, power.normal_dashpot, power_after.normal_dashpot);
   add(rolling_, power.rolling, power_after.rolling);
@@ -245,11 +247,11 @@ void ModelEnergyTally::add_external_work(int i, const ForcesAtLevel& forces,
                                          const Passage& passage) {
   const int mask = lmp_->atom->mask[i];
   if (!mobile_.moves(mask)) {
-    sums_.external.add(-forces.of_contacts, -forces.of_contacts_torque, passage);
+    work_.external.add(-forces.of_contacts, -forces.of_contacts_torque, passage);
     return;
   }
-  if (others_act_) sums_.add_external_work(forces, passage);
-  if (mobile_.is_not_turned(mask)) sums_.external.add({}, -forces.of_contacts_torque, passage);
+  if (others_act_) work_.add_external_work(forces, passage);
+  if (mobile_.is_not_turned(mask)) work_.external.add({}, -forces.of_contacts_torque, passage);
 }
 
 /// Ends a step without output.
@@ -290,7 +292,7 @@ void ModelEnergyTally::end_read(MakePassage make_passage, bool starts) {
                                     half * inverse_inertia * vector(atom->torque[i]), half));
     add_external_work(i, forces, passages.back());
     if (inverse_mass > 0.0 && !starts)
-      sums_.store_motion(forces, inverse_mass, inverse_inertia, half);
+      work_.store_motion(forces, inverse_mass, inverse_inertia, half);
   }
   const Passage times = make_passage({}, {}, {}, {}, half);
   add_work(powers([&](int i) { return SphereMotion{passages[i].velocity, passages[i].spin}; }),
@@ -306,8 +308,8 @@ void ModelEnergyTally::add_work_of_walls(double before) {
   const auto add = [&](WorkOfForces& work, double power) {
     work.add(before * power, half * power);
   };
-  add(sums_.external, work_of_walls_);
-  add(sums_.friction, walls_.friction);
+  add(work_.external, work_of_walls_);
+  add(work_.friction, walls_.friction);
   add(tangential_dashpot_, walls_.tangential_dashpot);
   add(normal_dashpot_, walls_.normal_dashpot);
 }
@@ -317,13 +319,13 @@ void ModelEnergyTally::add_so_far(double factor, double* entries) const {
   // Of the rolling torques it is not known what is spring, dashpot and slider.
   sums.lose({-normal_dashpot_.so_far(), -tangential_dashpot_.so_far(),
              -rolling_.so_far() - sums_.stored().rolling_spring});
-  sums.add_so_far(factor, entries);
+  cohesion::contact_solver::add_so_far(sums, work_, factor, entries);
 }
 
 void ModelEnergyTally::add_to(double* entries) const {
   for (int k = 0; k < cohesion::energy_tally::ENTRIES; k++) entries[k] += before_[k];
   add_so_far(1.0, entries);
-  sums_.add_stored(entries);
+  add_stored(sums_, work_, entries);
   entries[cohesion::energy_tally::SPRING] += sampled_.spring;
   entries[cohesion::energy_tally::ADHESION] += sampled_.adhesion;
 }

@@ -7,7 +7,7 @@
 
 #include "contact/sampled_energies.h"
 #include "contact_interface.h"
-#include "contact_solver/energy_sums.h"
+#include "contact_solver/energy_balance.h"
 #include "energy_tally.h"
 #include "integrated_particles.h"
 #include "lammps.h"
@@ -124,6 +124,7 @@ class ModelEnergyTally {
   std::vector<Vector3> rolling_torque_;      // against rolling, on each particle
   std::vector<ForceAndTorque> of_contacts_;  // on each particle; unused where no others act
   cohesion::contact_solver::EnergySums sums_;
+  cohesion::contact_solver::ParticleWork work_;
   // Of normal springs and adhesion of sampled contacts; as a set-up begins, of others.
   cohesion::contact_solver::StoredEnergies sampled_{}, last_{};
   WorkOfForces normal_dashpot_, tangential_dashpot_, rolling_;

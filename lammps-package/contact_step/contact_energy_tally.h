@@ -2,7 +2,6 @@
 #ifndef COHESION_CONTACT_ENERGY_TALLY_H
 #define COHESION_CONTACT_ENERGY_TALLY_H
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -12,7 +11,7 @@
 namespace LAMMPS_NS {
 
 /// Energies that contacts store at the time level and have lost before it, of one process. It sums
-/// up losses and work as long as it has readers, who subtract the sums of the time before. What is
+/// up losses as long as it has readers, who subtract the sums of the time before. What is
 /// stored is evaluated at the time levels that an output reads and in steps that a later run may
 /// continue from.
 class ContactEnergyTally : public cohesion::contact_solver::EnergySums {
@@ -42,13 +41,6 @@ class ContactEnergyTally : public cohesion::contact_solver::EnergySums {
     if (read_) store(fraction, energies.stored);
     lose(fraction, energies);
   }
-  /// Adds work of moving walls, or of friction on them, in the step around the time level.
-  void add_work(double done) {
-    if (active_) external.add(0.5 * done, 0.5 * done);
-  }
-  void add_friction_work(double done) {
-    if (active_) friction.add(0.5 * done, 0.5 * done);
-  }
   /// Adds an impulse of sliding friction on particle j of this process, or on i by the reverse.
   [[gnu::always_inline]] void add_friction(std::ptrdiff_t j, const cohesion::Vector3& impulse) {
     friction_[j] += impulse;
@@ -59,26 +51,6 @@ class ContactEnergyTally : public cohesion::contact_solver::EnergySums {
   }
   /// The sum of those, [momentum].
   const cohesion::Vector3& friction_on(int i) const { return friction_[i]; }
-
-  /// The numbers with which a later run continues, as restart files have them; the last is 0.
-  using Totals = std::array<double, 10>;
-  Totals totals() const {
-    const cohesion::contact_solver::ContactLosses& lost = lost_later();
-    return {stored().tangential_spring,
-            stored().rolling_spring,
-            lost.normal_damping,
-            lost.tangential_damping,
-            lost.rolling,
-            friction.later(),
-            external.later(),
-            stored().load + motion(),
-            exchanged()};
-  }
-  void restore_totals(const Totals& all) {
-    restore({0.0, all[0], all[1], 0.0, all[7]}, {all[2], all[3], all[4]}, all[8]);
-    friction.restore_later(all[5]);
-    external.restore_later(all[6]);
-  }
 
  private:
   bool active_ = false, read_ = false;

@@ -23,7 +23,6 @@ using cohesion::contact_solver::ContactState;
 using cohesion::contact_solver::FrictionalStep;
 using cohesion::contact_solver::PairMotion;
 using cohesion::contact_solver::StoredEnergies;
-using HistorySize = ContactHistory::Size;
 
 /// The contacts of one style on one rank in one step. j < 0: a wall.
 template <class Contact, int SIZE>
@@ -61,12 +60,12 @@ class ContactForces {
                                                  tallies ? &energies : nullptr))
       return false;
     if constexpr (tallies) tally_persistent(i, j, result.friction, energies);
-    Vector3 pushed = kick_ * result.action.impulse;
+    Vector3 pushed = kick_ * result.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, result.action.torque_i);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, result.torque_i);
     if (j >= nlocal_) return true;
     add(forces_ + 3 * j, 1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, result.action.torque_j);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, result.torque_j);
     return true;
   }
 
@@ -82,8 +81,8 @@ class ContactForces {
         c.change_step(step_->last_length(), now, acceleration, history);
     const FrictionalStep result = c.template advance<SIZE>(now, acceleration, step_->starts(),
                                                            history, energies, with_stored);
-    push(i, -result.action.impulse, result.action.torque_i);
-    if (is_own(j)) push(j, result.action.impulse, result.action.torque_j);
+    push(i, -result.impulse, result.torque_i);
+    if (is_own(j)) push(j, result.impulse, result.torque_j);
     if (dot(result.at_edge, result.at_edge) > 0.0) exclude(c, i, j, kick_ * result.at_edge);
     if (result.unresolved) step_->count_unresolved(owned_fraction(j));
     if (step_->energy_tally.is_active()) tally(i, j, result.friction, *energies);

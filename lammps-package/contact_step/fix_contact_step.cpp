@@ -8,6 +8,7 @@
 #include "comm.h"
 #include "common/energy_tally_of_runs.h"
 #include "common/renumbering.h"
+#include "contact_solver/energy_balance.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_step/altered_particles.h"
 #include "contact_step/soft_contact_style.h"
@@ -48,6 +49,7 @@ FixContactStep::FixContactStep(LAMMPS* lammps, int narg, char** arg)
       accelerations(lammps, 3),
       flux_readers(std::make_shared<char>()),
       flux_parts(std::make_unique<cohesion::contact_solver::FluxParts>()),
+      particle_work(std::make_unique<cohesion::contact_solver::ParticleWork>()),
       mobile(std::make_unique<MobileParticles>()) {
   nevery = 1;
   comm_forward = 1 + AlteredParticles::EACH;
@@ -138,7 +140,7 @@ void FixContactStep::find_altered() {
 }
 
 void FixContactStep::repeat_forces(int i, int j,
-                                   const cohesion::contact_solver::PairImpulse& forces) const {
+                                   const cohesion::contact_solver::FrictionalStep& forces) const {
   const auto add = [](double* to, const Vector3& a) {
     to[0] += a.x;
     to[1] += a.y;
@@ -264,6 +266,7 @@ bool FixContactStep::begin_step() {
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
                       energy_tally.is_active() && (others_act || energy_tally.is_read()));
   energy_tally.begin_step(atom->nlocal);
+  if (energy_tally.is_active()) particle_work->begin_step();
   impulses.begin_contacts();
   return true;
 }

@@ -8,6 +8,7 @@ FixStyle(CONTACT_STEP,FixContactStep);
 #ifndef LMP_FIX_CONTACT_STEP_H
 #define LMP_FIX_CONTACT_STEP_H
 
+#include <array>
 #include <memory>
 #include <set>
 #include <string>
@@ -15,7 +16,6 @@ FixStyle(CONTACT_STEP,FixContactStep);
 
 #include "atom.h"
 #include "contact/contact_parameters.h"
-#include "contact_solver/energy_sums.h"
 #include "contact_solver/pair_motion.h"
 #include "contact_step/contact_energy_tally.h"
 #include "contact_step/contact_impulses.h"
@@ -25,7 +25,9 @@ FixStyle(CONTACT_STEP,FixContactStep);
 
 namespace cohesion::contact_solver {
 struct FluxParts;
-}
+class ParticleWork;
+struct Passage;
+}  // namespace cohesion::contact_solver
 
 namespace LAMMPS_NS {
 
@@ -139,8 +141,13 @@ class FixContactStep : public Fix {
 
   /// Impulses of the contacts in this step.
   ContactImpulses impulses;
-  /// Energy balance of the contacts.
+  /// Energy balance of the contacts, and the work of forces.
   ContactEnergyTally energy_tally;
+  const cohesion::contact_solver::ParticleWork& work() const { return *particle_work; }
+  /// Adds work of a moving wall, and of friction on it, in the step around the time level.
+  void add_wall_work(double done, double by_friction);
+  /// The numbers with which a later run continues, as restart files have them; the last is 0.
+  using Totals = std::array<double, 10>;
 
   /// Momentum fluxes of pairs, summed up as long as a handle of add_flux_reader() exists.
   const cohesion::contact_solver::FluxParts& flux() const { return *flux_parts; }
@@ -152,7 +159,7 @@ class FixContactStep : public Fix {
 
   /// Adds forces of the last step on i and j while a run that continues it is set up; j < 0: a
   /// wall.
-  void repeat_forces(int i, int j, const cohesion::contact_solver::PairImpulse&) const;
+  void repeat_forces(int i, int j, const cohesion::contact_solver::FrictionalStep&) const;
 
   /// Adds a force [force] of an impulse at the edge of a range, on own particle i.
   void add_impulsive_force(int i, const cohesion::Vector3& on_it) {
@@ -192,10 +199,9 @@ class FixContactStep : public Fix {
   void tally_work(bool starts);
   void tally_friction();
   cohesion::contact_solver::Passage passage_of(int i, bool starts, double half) const;
-  cohesion::contact_solver::Passage short_passage_of(int i, double half) const {
-    return cohesion::contact_solver::Passage::without_output(
-        cohesion::vector(atom->v[i]), cohesion::vector(atom->omega[i]), half);
-  }
+  cohesion::contact_solver::Passage short_passage_of(int i, double half) const;
+  Totals totals() const;
+  void restore_totals(const Totals&);
   bool may_end_here() const;
   void begin_tallies();
   void refuse_rigid_bodies() const;
@@ -247,7 +253,8 @@ class FixContactStep : public Fix {
   double unresolved = 0.0;                  // contacts not resolved to the end of a step, this run
   ContactEnergyTally::Reader flux_readers;  // its use count is the number of readers
   bool flux_wanted = false;
-  std::unique_ptr<cohesion::contact_solver::FluxParts> flux_parts;  // flux()
+  std::unique_ptr<cohesion::contact_solver::FluxParts> flux_parts;        // flux()
+  std::unique_ptr<cohesion::contact_solver::ParticleWork> particle_work;  // work()
   std::unique_ptr<MobileParticles> mobile;
 };
 

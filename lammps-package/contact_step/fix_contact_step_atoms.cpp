@@ -156,14 +156,14 @@ int FixContactStep::unpack_exchange(int i, double* buf) {
 // these totals are unknown.
 static constexpr int LAYOUT = 6, HEAD = 3;
 static constexpr int OF_RESTART =
-    HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
+    HEAD + static_cast<int>(std::tuple_size_v<FixContactStep::Totals>);
 
 void FixContactStep::write_restart(FILE* fp) {
   if (!running) {  // as init() does; the pair styles and walls may be others than in the last run
     find_styles();
     follow_renumbering();
   }
-  const ContactEnergyTally::Totals mine = energy_tally.totals();
+  const Totals mine = totals();
   double values[OF_RESTART] = {RESTART_MARK + LAYOUT, forces_dt,
                                tally_unknown && !running ? 1.0 : 0.0};
   MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
@@ -181,9 +181,9 @@ void FixContactStep::restart(char* buf) {
   tally_unknown = values[2] != 0.0;
   if (forces_dt > 0.0) last.grow(atom->nmax);
   if (comm->me != 0) return;
-  ContactEnergyTally::Totals all;
+  Totals all;
   std::copy_n(values + HEAD, all.size(), all.begin());
-  energy_tally.restore_totals(all);
+  restore_totals(all);
 }
 
 int FixContactStep::pack_restart(int i, double* buf) {

@@ -4,6 +4,7 @@
 
 #include "atom.h"
 #include "common/energy_tally_of_runs.h"
+#include "contact_solver/energy_balance.h"
 #include "contact_solver/flux_parts.h"
 #include "contact_step/fix_contact_step.h"
 #include "engine/gravity.h"
@@ -14,8 +15,10 @@
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
+using cohesion::contact_solver::ContactLosses;
 using cohesion::contact_solver::ForcesAtLevel;
 using cohesion::contact_solver::Passage;
+using cohesion::contact_solver::StoredEnergies;
 
 void FixContactStep::update_readers() {
   const bigint now = update->ntimestep;
@@ -64,11 +67,11 @@ void FixContactStep::tally_work(bool starts) {
                                vector(&weight[3 * i]),  kick * energy_tally.friction_on(i),
                                vector(atom->torque[i]), impulses.torque(i)};
     const Passage passage = reads ? passage_of(i, starts, half) : short_passage_of(i, half);
-    energy_tally.friction.add(forces.friction, forces.of_contacts_torque, passage);
-    if (others_act) energy_tally.add_external_work(forces, passage);
+    particle_work->friction.add(forces.friction, forces.of_contacts_torque, passage);
+    if (others_act) particle_work->add_external_work(forces, passage);
     if (reads && !starts)
-      energy_tally.store_motion(forces, inverse_mass[i],
-                                cohesion::contact_solver::inverse_inertia(body(i)), half);
+      particle_work->store_motion(forces, inverse_mass[i],
+                                  cohesion::contact_solver::inverse_inertia(body(i)), half);
   }
 }
 
@@ -77,8 +80,38 @@ void FixContactStep::tally_friction() {
   const double half = 0.5 * forces_dt, kick = impulses.kick();
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      energy_tally.friction.add(kick * energy_tally.friction_on(i), vector(atom->torque[i]),
-                                short_passage_of(i, half));
+      particle_work->friction.add(kick * energy_tally.friction_on(i), vector(atom->torque[i]),
+                                  short_passage_of(i, half));
+}
+
+void FixContactStep::add_wall_work(double done, double by_friction) {
+  if (!energy_tally.is_active()) return;
+  particle_work->external.add(0.5 * done, 0.5 * done);
+  particle_work->friction.add(0.5 * by_friction, 0.5 * by_friction);
+}
+
+FixContactStep::Totals FixContactStep::totals() const {
+  const StoredEnergies& stored = energy_tally.stored();
+  const ContactLosses& lost = energy_tally.lost_later();
+  return {stored.tangential_spring,
+          stored.rolling_spring,
+          lost.normal_damping,
+          lost.tangential_damping,
+          lost.rolling,
+          particle_work->friction.later(),
+          particle_work->external.later(),
+          stored.load + particle_work->motion(),
+          energy_tally.exchanged()};
+}
+
+void FixContactStep::restore_totals(const Totals& all) {
+  energy_tally.restore({0.0, all[0], all[1], 0.0, all[7]}, {all[2], all[3], all[4]}, all[8]);
+  particle_work->friction.restore_later(all[5]);
+  particle_work->external.restore_later(all[6]);
+}
+
+inline Passage FixContactStep::short_passage_of(int i, double half) const {
+  return Passage::without_output(vector(atom->v[i]), vector(atom->omega[i]), half);
 }
 
 Passage FixContactStep::passage_of(int i, bool starts, double half) const {

@@ -285,7 +285,7 @@ RegionFaces::RelativeWallMotion RegionFaces::relative_motion(const Vector3& cent
                                                              const WallPoint& point,
                                                              const WallState& now,
                                                              double last_step) const {
-  RelativeWallMotion motion{{point.separation, point.velocity - velocity}, now.acceleration};
+  RelativeWallMotion motion{point.separation, point.velocity - velocity, now.acceleration};
   if (last_step == 0.0) return motion;
   const Vector3 normal = normal_of(point.separation, point.distance);
   const Vector3 turned = normal - normal_before(centre, velocity, point, now, last_step);

@@ -5,6 +5,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_solver/energy_balance.h"
 #include "contact_solver/pair_motion.h"
 #include "contact_step/fix_contact_step.h"
 #include "domain.h"
@@ -20,7 +21,7 @@ using cohesion::Vector3;
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
     : EnergyTallyCompute(lammps, narg, arg), step(FixContactStep::of(lammps)), before() {
   reader = step->energy_tally.add_reader();
-  step->energy_tally.add_so_far(-1.0, before);
+  add_so_far(step->energy_tally, step->work(), -1.0, before);
 }
 
 void ComputeGranEnergy::init() {
@@ -46,7 +47,7 @@ bool ComputeGranEnergy::is_read() { return !step->is_running() || step->energy_t
 
 void ComputeGranEnergy::add_to(double* entries) {
   for (int k = 0; k < ENTRIES; k++) entries[k] += before[k];
-  step->energy_tally.add_so_far(1.0, entries);
+  add_so_far(step->energy_tally, step->work(), 1.0, entries);
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
@@ -58,5 +59,5 @@ void ComputeGranEnergy::add_to(double* entries) {
              cohesion::vector(atom->omega[i]), cohesion::vector(&weight[3 * i]),
              cohesion::vector(place));
   }
-  step->energy_tally.add_stored(entries);
+  add_stored(step->energy_tally, step->work(), entries);
 }

@@ -32,13 +32,13 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       advice_filter(std::make_unique<cohesion::advice::WarningFilter>()),
       scheme(Scheme::exact),
       law(attraction.no_law()),
-      per_wall(HistorySize::normal_only),
+      per_wall(ContactHistory::normal_only),
       sizes(),
       travelled(0.0),
       contact_step(nullptr) {
   read(narg, arg);
-  if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
-  if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
+  if (parameters.contact.friction > 0.0) per_wall = ContactHistory::with_friction;
+  if (parameters.contact.rolling_friction > 0.0) per_wall = ContactHistory::with_rolling;
   history.start(faces(), per_wall);
   const int all_walls = static_cast<int>(walls.size() + regions.size());
   forces.start(all_walls);
@@ -306,10 +306,12 @@ template <class Cohesion>
 template <int SIZE, class Contact>
 void FixWallGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& contact_forces, const Contact& c, const Near& near) {
-  const PairMotion now{near.motion.relative, vector(atom->omega[near.i]), {}};
+  const PairMotion now{
+      near.motion.separation, near.motion.velocity, vector(atom->omega[near.i]), {}};
   ContactHistory known = contact_step->starts() ? ContactHistory::unknown()
                                                 : ContactHistory::stored(near.history, SIZE);
-  if (known.normal.is_outside() && !c.within_reach(now.relative, contact_step->moved_by_forces())) {
+  if (known.normal.is_outside() &&
+      !c.within_reach(now.separation, now.velocity, contact_step->moved_by_forces())) {
     *near.history = ContactState::outside;
     return;
   }
@@ -319,9 +321,9 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
                            contact_step->energy_tally.is_active() ? &energies : nullptr,
                            contact_step->energy_tally.is_read());
   known.store(near.history, SIZE);
-  const Vector3& impulse = result.action.impulse;
-  contact_step->energy_tally.add_work(-dot(near.wall_velocity, impulse));
-  contact_step->energy_tally.add_friction_work(dot(near.wall_velocity, result.friction));
+  const Vector3& impulse = result.impulse;
+  contact_step->add_wall_work(-dot(near.wall_velocity, impulse),
+                              dot(near.wall_velocity, result.friction));
   const double kick = contact_forces.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, result)));
 }

@@ -48,7 +48,7 @@ class FixWallGranCohesive : public FixWithWallHistory, public SoftContactStyle {
   cohesion::advice::StickingRules sticking_rules() const override;
   void continue_run() override;
   void give_advice(const cohesion::advice::RunConditions&, AdviceOfStyles&) override;
-  bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
+  bool has_friction(int) const override { return per_wall > ContactHistory::normal_only; }
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -112,12 +112,12 @@ class FixWallGranCohesive : public FixWithWallHistory, public SoftContactStyle {
     guarded(lmp, where, [&] {
       std::visit(
           [&](auto& shared) {
-            if (per_wall == HistorySize::with_rolling)
-              what(shared, std::integral_constant<int, HistorySize::with_rolling>());
-            else if (per_wall == HistorySize::with_friction)
-              what(shared, std::integral_constant<int, HistorySize::with_friction>());
+            if (per_wall == ContactHistory::with_rolling)
+              what(shared, std::integral_constant<int, ContactHistory::with_rolling>());
+            else if (per_wall == ContactHistory::with_friction)
+              what(shared, std::integral_constant<int, ContactHistory::with_friction>());
             else
-              what(shared, std::integral_constant<int, HistorySize::normal_only>());
+              what(shared, std::integral_constant<int, ContactHistory::normal_only>());
           },
           contacts);
     });
@@ -141,7 +141,7 @@ class FixWallGranCohesive : public FixWithWallHistory, public SoftContactStyle {
   cohesion::contact_solver::WallMotion motion;
   cohesion::contact_solver::WallCourse course;
 
-  int per_wall;  // values per history (HistorySize)
+  int per_wall;  // values per history (ContactHistory)
   AnyContacts contacts;
   /// Of the particles at the last rebuild of the neighbour list.
   struct Sizes {

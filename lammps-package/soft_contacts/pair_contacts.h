@@ -11,7 +11,6 @@
 #include "atom.h"
 #include "contact/contact_parameters.h"
 #include "contact_solver/pair_motion.h"
-#include "contact_solver/relative_state.h"
 #include "contact_step/close_pairs.h"
 #include "contact_step/contact_forces.h"
 #include "contact_step/fix_contact_step.h"
@@ -25,12 +24,10 @@ struct StaggeredParticles {
   const int* type;
   const double *radius, *inverse_mass;
 
-  [[gnu::always_inline]] cohesion::contact_solver::RelativeState relative_state(int i,
-                                                                                int j) const {
-    return {of(x, j) - of(x, i), of(v, j) - of(v, i)};
-  }
+  [[gnu::always_inline]] Vector3 separation(int i, int j) const { return of(x, j) - of(x, i); }
+  [[gnu::always_inline]] Vector3 velocity(int i, int j) const { return of(v, j) - of(v, i); }
   [[gnu::always_inline]] PairMotion motion(int i, int j) const {
-    return {relative_state(i, j), of(spin, i), of(spin, j)};
+    return {separation(i, j), velocity(i, j), of(spin, i), of(spin, j)};
   }
   [[gnu::always_inline]] static Vector3 of(const double* numbers, std::ptrdiff_t i) {
     return vector(numbers + 3 * i);
@@ -43,9 +40,8 @@ struct StaggeredPair {
   const StaggeredParticles& all;
   int i, j;
 
-  [[gnu::always_inline]] cohesion::contact_solver::RelativeState relative() const {
-    return all.relative_state(i, j);
-  }
+  [[gnu::always_inline]] Vector3 separation() const { return all.separation(i, j); }
+  [[gnu::always_inline]] Vector3 velocity() const { return all.velocity(i, j); }
   [[gnu::always_inline]] Vector3 spin_i() const { return all.of(all.spin, i); }
   [[gnu::always_inline]] Vector3 spin_j() const { return all.of(all.spin, j); }
 };
@@ -81,7 +77,7 @@ class PairContacts : protected Pointers {
   /// The contact of two particles of which at least one moves.
   const Contact& between(int i, int j) { return all_[index_of(particles(), i, j)]; }
 
-  /// Computes the contacts of `pairs` in this step. `size`: ContactHistory::Size with which they
+  /// Computes the contacts of `pairs` in this step. `size`: values per history, with which they
   /// are computed; `only_law`: of all contacts, if they have the same; `tallies`: whether outputs
   /// need energy and virial.
   void compute(const ClosePairs& pairs, int size,

@@ -20,12 +20,12 @@ void PairContacts<Contact>::compute(const ClosePairs& pairs, int size,
   tallies_ = tallies;
   per_pair_ = pairs.each();
   clear();
-  if (size == HistorySize::with_rolling)
-    compute_sized<HistorySize::with_rolling>(pairs, only_law);
-  else if (size == HistorySize::with_friction)
-    compute_sized<HistorySize::with_friction>(pairs, only_law);
+  if (size == ContactHistory::with_rolling)
+    compute_sized<ContactHistory::with_rolling>(pairs, only_law);
+  else if (size == ContactHistory::with_friction)
+    compute_sized<ContactHistory::with_friction>(pairs, only_law);
   else
-    compute_sized<HistorySize::normal_only>(pairs, only_law);
+    compute_sized<ContactHistory::normal_only>(pairs, only_law);
 }
 
 template <class Contact>
@@ -82,8 +82,7 @@ template <class Contact>
 [[gnu::noinline]] void PairContacts<Contact>::add_flux(double fraction, const PairMotion& now,
                                                        const Contact& c,
                                                        const FrictionalStep& result) {
-  step_->add_flux(fraction, now.relative.separation, result.action.impulse,
-                  c.by_contact(now, result));
+  step_->add_flux(fraction, now.separation, result.impulse, c.by_contact(now, result));
 }
 
 /// Computes a pair in a step with output as in any other step, with what it stores. Returns false
@@ -108,7 +107,7 @@ bool PairContacts<Contact>::read_persistent(const ContactForces<Contact, SIZE>& 
   const StoredEnergies stored = c.template stored_persistent<SIZE>(motion, before, values);
   if (tallies) step_->energy_tally.store(forces.owned_fraction(j), stored);
   if (step_->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, result);
-  if (tallies_) tally_(i, j, motion.relative.separation, stored.potential(), result.action.impulse);
+  if (tallies_) tally_(i, j, motion.separation, stored.potential(), result.impulse);
   return true;
 }
 
@@ -126,7 +125,7 @@ template <int SIZE>
   ContactHistory known = has_history && !step_->starts() ? ContactHistory::stored(values, SIZE)
                                                          : ContactHistory::unknown();
   if (known.normal.is_outside() &&
-      !c.within_reach(now.relative_state(i, j), step_->moved_by_forces())) {
+      !c.within_reach(now.separation(i, j), now.velocity(i, j), step_->moved_by_forces())) {
     has_history = 0;
     return;
   }
@@ -139,8 +138,7 @@ template <int SIZE>
   known.store(values, SIZE);
   has_history = 1;
   if (step_->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, result);
-  if (tallies_)
-    tally_(i, j, motion.relative.separation, energies.stored.potential(), result.action.impulse);
+  if (tallies_) tally_(i, j, motion.separation, energies.stored.potential(), result.impulse);
 }
 
 /// Leaves two particles that forces do not move in range of each other, unless a fix moves one
@@ -149,7 +147,7 @@ template <class Contact>
 void PairContacts<Contact>::hold(int i, int j, int& has_history, double* values) const {
   if (!has_history) return;
   const bool led = step_->is_led(i) || step_->is_led(j);
-  if (led && step_->carries_along(i, particles().relative_state(i, j).velocity)) {
+  if (led && step_->carries_along(i, particles().velocity(i, j))) {
     has_history = 0;
     return;
   }

@@ -127,7 +127,7 @@ bool PairGranCohesive<Cohesion>::bound_pairs_are_read() const {
 
 template <class Cohesion>
 int PairGranCohesive<Cohesion>::values_per_pair() const {
-  return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
+  return coefficients.any_rolls() ? ContactHistory::with_rolling : ContactHistory::with_friction;
 }
 
 /// The part of the skin reserved for the flight of both particles within a step. A fifth suffices
@@ -190,8 +190,9 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   }
   contact_step->compute_contacts([this] {
     begin_step();
-    const int size =
-        friction || per_pair == HistorySize::with_rolling ? per_pair : HistorySize::normal_only;
+    const int size = friction || per_pair == ContactHistory::with_rolling
+                         ? per_pair
+                         : ContactHistory::normal_only;
     guarded(lmp, coefficients.message_prefix(), [this, size] {
       std::visit(
           [this, size](auto& c) { c.compute(close_pairs, size, coefficients.only_law(), evflag); },

@@ -116,7 +116,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public SoftContactStyle
   bool is_active;                                       // whether anything can happen in this run
   bool needs_list;                                      // whether any pair is visited in this run
   bool history_stale;  // no contact was computed since, so histories are out of date
-  int per_pair;        // values per history (HistorySize); 0: not allocated yet
+  int per_pair;        // values per history (ContactHistory); 0: not allocated yet
   class FixContactStep* contact_step;
   PairHistory history;
   bool warned_of_flight = false;  // in this run

@@ -110,7 +110,7 @@ void PairGranCohesive<Cohesion>::continue_run() {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::forget_springs() {
   for_each_listed([this](int, int, int has_history, double* values) {
-    if (has_history) std::fill(values + HistorySize::normal_only, values + per_pair, 0.0);
+    if (has_history) std::fill(values + ContactHistory::normal_only, values + per_pair, 0.0);
   });
 }
 

@@ -41,19 +41,19 @@ struct HeadOnStart {
 template <class Pair>
 bool parts(const Pair& pair, const HeadOnStart& start, double step) {
   const contact_solver::StepWindow window{0.5 * step, 0.5 * step};
-  contact_solver::RelativeState grid{{start.separation, 0, 0}, {-start.approach, 0, 0}};
+  Vector3 separation{start.separation, 0, 0}, velocity{-start.approach, 0, 0};
   bool inside = start.inside, parting = false;
   for (long steps = 0; steps < 10'000'000; steps++) {
-    if (inside || pair.within_reach(grid, window)) {
-      const sampled_contact::PairStep now = pair.advance(grid, window, inside);
+    if (inside || pair.within_reach(norm(separation))) {
+      const sampled_contact::PairStep now = pair.advance(separation, velocity, window, inside);
       inside = now.inside;
-      grid.velocity += now.velocity_change;
+      velocity += now.velocity_change;
     } else if (parting) {
       return true;
     }
-    if (parting && grid.velocity.x <= 0.0) return false;
-    parting = grid.velocity.x > 0.0;
-    grid.separation += step * grid.velocity;
+    if (parting && velocity.x <= 0.0) return false;
+    parting = velocity.x > 0.0;
+    separation += step * velocity;
   }
   require(false, "time step", step,
           "a pair is not free again after ten million steps: take a longer one, or scheme exact, "

@@ -16,11 +16,9 @@ struct ContactHistory {
   Spring sliding{}, rolling{};
 
   /// Number of stored values: without friction, with friction, with rolling friction, too.
-  enum Size {
-    normal_only = ContactState::size,
-    with_friction = normal_only + 6,
-    with_rolling = with_friction + 6
-  };
+  static constexpr int normal_only = ContactState::size;
+  static constexpr int with_friction = normal_only + 6;
+  static constexpr int with_rolling = with_friction + 6;
 
   static ContactHistory unknown() {
     ContactHistory history;
@@ -31,7 +29,7 @@ struct ContactHistory {
   /// To be called after ContactState::restore_signs(). An engine that exchanges i and j changes the
   /// sign of all values, which is right for the vectors of the springs.
   static ContactHistory stored(const double* values, int size) {
-    const auto spring = [values, size](int first, Size least) {
+    const auto spring = [values, size](int first, int least) {
       return size >= least ? Spring{vector(values + first), vector(values + first + 3)} : Spring{};
     };
     return {ContactState::stored(values), spring(normal_only, with_friction),

@@ -45,9 +45,9 @@ ContactOutput output_of(const Contact& contact, const Vector3& separation,
 /// The forces of a contact at a time level, from the same: on j, and the torques on i and j,
 /// [force] and [force length].
 template <class Contact>
-PairImpulse forces_of(const Contact& contact, const Vector3& separation,
-                      const ContactHistory& history, double step) {
-  PairImpulse forces;
+FrictionalStep forces_of(const Contact& contact, const Vector3& separation,
+                         const ContactHistory& history, double step) {
+  FrictionalStep forces;
   const ContactBodies::Touch touch(contact.bodies(), separation);
   touch.add_sliding_impulse((1.0 / step) * history.sliding.impulse, forces);
   touch.add_rolling_impulse((1.0 / step) * history.rolling.impulse, forces);

@@ -4,7 +4,7 @@
 #include "contact/tangential_spring.h"
 #include "contact_solver/damped_oscillator.h"
 #include "contact_solver/motion_along_normal.h"
-#include "contact_solver/relative_state.h"
+#include "vector3.h"
 
 namespace cohesion::contact_solver {
 

@@ -24,7 +24,7 @@ namespace cohesion::contact_solver {
 /// object: it contains only what does not change from step to step.
 ///
 /// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver, JkrSolver or WellEdgeSolver. The
-/// template parameter SIZE of functions is the number of stored values (ContactHistory::Size): it
+/// template parameter SIZE of functions is the number of stored values (ContactHistory): it
 /// decides whether there is friction and rolling friction.
 template <class Solver>
 class ExactContact {
@@ -70,10 +70,10 @@ class ExactContact {
 
   /// Whether a pair out of range may enter it in this step. `flown` [length]: upper bound of the
   /// displacement by forces within the step.
-  bool within_reach(const RelativeState& now, double flown) const {
+  bool within_reach(const Vector3& separation, const Vector3& velocity, double flown) const {
     const double range = solver_.outer_distance() + flown;
-    const double square = dot(now.separation, now.separation);
-    const double closing = -step_ * dot(now.separation, now.velocity);
+    const double square = dot(separation, separation);
+    const double closing = -step_ * dot(separation, velocity);
     const double reach = range + std::max(closing, 0.0) / range;
     if (square > reach * reach) return false;
     // A straight flight comes no nearer than its component along the line of centres does.
@@ -88,9 +88,8 @@ class ExactContact {
                                       double flown) const {
     if constexpr (Solver::may_be_idle) {
       if (!ContactState::is_idle(values)) return false;
-      const RelativeState now = motion.relative();
-      return solver_.is_clear(dot(now.separation, now.separation),
-                              step_ * norm(now.velocity) + flown);
+      const Vector3 s = motion.separation();
+      return solver_.is_clear(dot(s, s), step_ * norm(motion.velocity()) + flown);
     } else {
       return false;
     }
@@ -98,7 +97,7 @@ class ExactContact {
 
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
   /// so, and adds its impulses to `step`. Returns false, and changes nothing, where that is not
-  /// certain. `now`: relative(), spin_i() and spin_j() read what PairMotion has; `values`: the
+  /// certain. `now`: its functions read what PairMotion has; `values`: the
   /// stored history; `By`: LinearContact or IntegratedContact; ContactMotion where laws differ;
   /// `energies`: without stored ones, may be null.
   template <int SIZE, class By, class Motion>
@@ -125,7 +124,7 @@ class ExactContact {
   StoredEnergies stored_persistent(const PairMotion& now, const double* before,
                                    const double* values) const {
     const ContactHistory after = ContactHistory::stored(values, SIZE);
-    const StaggeredMotion at = motion(now.relative, 1.0 / norm(now.relative.separation));
+    const StaggeredMotion at = motion(now.separation, now.velocity, 1.0 / norm(now.separation));
     const double overlap = bodies_.distance() - at.distance;
     const ContactState last = ContactState::stored(before);
     ContactEnergies energies;
@@ -144,9 +143,9 @@ class ExactContact {
   FrictionalStep advance(const PairMotion& now, const Vector3& acceleration, bool first,
                          ContactHistory& history, ContactEnergies* energies,
                          bool with_stored = true) const {
-    const Vector3& s = now.relative.separation;
+    const Vector3& s = now.separation;
     const double inverse = 1.0 / norm(s);
-    const StaggeredMotion at = motion(now.relative, inverse);
+    const StaggeredMotion at = motion(s, now.velocity, inverse);
     const double external =
         first ? 0.0 : solver_.external(inverse * dot(s, acceleration), at, history.normal);
     FrictionalStep step;
@@ -157,8 +156,8 @@ class ExactContact {
     const ContactStep normal = solver_.advance(at, external, velocity_step, history.normal);
     step.repulsion = velocity_step * normal.repulsion;
     step.unresolved = normal.record.unresolved;
-    step.action.impulse = (velocity_step * normal.force * inverse) * s;
-    if (solver_.gave_impulse(history.normal)) step.at_edge = step.action.impulse;
+    step.impulse = (velocity_step * normal.force * inverse) * s;
+    if (solver_.gave_impulse(history.normal)) step.at_edge = step.impulse;
     const ContactSpring::NormalStep n{
         before,
         history.normal,
@@ -168,7 +167,7 @@ class ExactContact {
         bodies_.distance() - at.distance,
         bodies_.distance() - at.distance + step_ * at.mean_rate(step_),
         solver_.repulsion(at, before),
-        overlap_at_end(now, step.action.impulse),
+        overlap_at_end(now, step.impulse),
         lowest_overlap_};
     if (energies) {
       const SolvedStep solved{at,           external,         first, before, history.normal,
@@ -191,11 +190,11 @@ class ExactContact {
   void change_step(double last_step, const PairMotion& now, const Vector3& acceleration,
                    ContactHistory& history) const {
     ContactState& state = history.normal;
-    const Vector3& s = now.relative.separation;
+    const Vector3& s = now.separation;
     const double inverse = 1.0 / norm(s);
     if (state.is_persistent()) {
-      state.last_rate =
-          motion(now.relative, inverse).mean_rate(step_) - step_ * inverse * dot(s, acceleration);
+      state.last_rate = motion(s, now.velocity, inverse).mean_rate(step_) -
+                        step_ * inverse * dot(s, acceleration);
     } else if (solver_.gave_impulse(state)) {
       state.force *= last_step / step_;
     } else if (state.phase == ContactState::touching || state.phase == ContactState::inside) {
@@ -209,8 +208,8 @@ class ExactContact {
 
   /// The impulse of spring, dashpot and friction on j; the rest is adhesion.
   Vector3 by_contact(const PairMotion& now, const FrictionalStep& step) const {
-    if (!attracts()) return step.action.impulse;
-    const Vector3& s = now.relative.separation;
+    if (!attracts()) return step.impulse;
+    const Vector3& s = now.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
@@ -231,9 +230,7 @@ class ExactContact {
   [[gnu::always_inline]] bool advance_persistent_by(const By& by, const Motion& now, double* values,
                                                     FrictionalStep& step,
                                                     ContactEnergies* energies) const {
-    RelativeState relative = now.relative();
-    const Vector3& s = relative.separation;
-    const Vector3& v = relative.velocity;
+    Vector3 s = now.separation(), v = now.velocity();
     const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
     const double rate = inverse * dot(s, v);
     DistanceMotion motion =
@@ -245,7 +242,7 @@ class ExactContact {
     normal.store_persistent(values);
     if (energies) set_persistent_losses(result, *energies);
     step.repulsion = step_ * result.repulsion;
-    step.action.impulse = (step_ * result.force * inverse) * s;
+    step.impulse = (step_ * result.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       constexpr bool linear = std::is_same_v<By, LinearContact>;
       auto touch = ContactBodies::Touch::of_spheres(bodies_, s, inverse);
@@ -255,14 +252,14 @@ class ExactContact {
       step.friction = sliding_.persistent_impulse<linear>(
           touch.plane(), touch.sliding_velocity_across(across, now.spin_i(), now.spin_j()), result,
           overlap_before, values + ContactHistory::normal_only, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
+      touch.add_sliding_impulse(step.friction, step);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<linear>(
                 touch.plane(), touch.rolling_velocity(now.spin_i(), now.spin_j()), result,
                 overlap_before, values + ContactHistory::with_friction,
                 energies ? &rolled : nullptr),
-            step.action);
+            step);
       if (energies) {
         energies->before.tangential_damping = slid.damped;
         energies->before.rolling = rolled.all;
@@ -271,16 +268,16 @@ class ExactContact {
     return true;
   }
 
-  StaggeredMotion motion(const RelativeState& relative, double inverse) const {
-    const double rate = inverse * dot(relative.separation, relative.velocity);
-    const double across = dot(relative.velocity, relative.velocity) - rate * rate;
+  StaggeredMotion motion(const Vector3& separation, const Vector3& velocity, double inverse) const {
+    const double rate = inverse * dot(separation, velocity);
+    const double across = dot(velocity, velocity) - rate * rate;
     return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
   }
 
   /// The overlap at the next time level without other forces.
   double overlap_at_end(const PairMotion& now, const Vector3& impulse) const {
-    const Vector3 velocity = now.relative.velocity + bodies_.inverse_mass() * impulse;
-    return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
+    const Vector3 velocity = now.velocity + bodies_.inverse_mass() * impulse;
+    return bodies_.distance() - norm(now.separation + step_ * velocity);
   }
 
   /// Adds impulse and energies of sliding friction.
@@ -288,10 +285,10 @@ class ExactContact {
                    const ContactSpring::NormalStep& n, DiscreteSpring::State& state,
                    FrictionalStep& step, ContactEnergies* energies) const {
     ContactSpring::Energies spring;
-    step.friction = sliding_.advance(
-        touch, touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j), {}, n, state,
-        energies ? &spring : nullptr);
-    touch.add_sliding_impulse(step.friction, step.action);
+    step.friction =
+        sliding_.advance(touch, touch.sliding_velocity(now.velocity, now.spin_i, now.spin_j), {}, n,
+                         state, energies ? &spring : nullptr);
+    touch.add_sliding_impulse(step.friction, step);
     if (!energies) return;
     energies->stored.tangential_spring = spring.stored;
     energies->before.tangential_damping = spring.before.damped;
@@ -303,13 +300,12 @@ class ExactContact {
                    FrictionalStep& step, ContactEnergies* energies) const {
     ContactSpring::Energies spring;
     // Friction has turned the spheres by this much in the middle of a resolved step.
-    const Vector3 turned =
-        touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
-                               bodies_.inverse_inertia_j() * step.action.torque_j);
+    const Vector3 turned = touch.rolling_velocity(bodies_.inverse_inertia_i() * step.torque_i,
+                                                  bodies_.inverse_inertia_j() * step.torque_j);
     touch.add_rolling_impulse(
         rolling_.advance(touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n, state,
                          energies ? &spring : nullptr),
-        step.action);
+        step);
     if (!energies) return;
     energies->stored.rolling_spring = spring.stored;
     energies->before.rolling = spring.before.all;

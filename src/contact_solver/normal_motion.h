@@ -100,7 +100,7 @@ class NormalMotion {
         left -= std::visit([&](const auto& c) { return c.advance(s, left, outward, record); },
                            contact_);
       else if (!is_leaving(s, outward))
-        left -= in_gap(s, left, gap_around(s, outward));
+        left -= cross_gap(s, left, outward);
       if (is_leaving(s, outward)) left -= leave(s, left, outward, inside, record);
     }
     return time - std::max(left, 0.0);
@@ -120,11 +120,6 @@ class NormalMotion {
  private:
   /// A pair that turns round this often in one step rattles in a well far too thin for the step.
   static constexpr int max_phases = 1000;
-
-  /// An interval of gap between the overlaps `low` < `high` <= 0 with a constant acceleration.
-  struct Gap {
-    double low, high, drive;
-  };
 
   /// How far overlap x is within the range, [length].
   double within_range(double x) const { return std::max(adhesion_.cutoff + x, 0.0); }
@@ -148,11 +143,13 @@ class NormalMotion {
     }
     const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
     const double start = s.x;
-    if (outward > 0.0 && energy >= adhesion_.tail.barrier(load, -start)) {
+    const hamaker::Tail* const tail = adhesion_.tail;
+    if (tail && outward > 0.0 && energy >= tail->barrier(load, -start, adhesion_.geometry)) {
       // To where the load has done the work that is missing; within the tail.
       const double end = start + 0.5 * remaining / outward;
-      if (adhesion_.tail.contains(-end)) {
-        const double taken = in_gap(s, time, {end, start, -outward});
+      constexpr double rounding = 1e-12;
+      if (-end <= (1.0 + rounding) * tail->outer_cutoff()) {
+        const double taken = in_gap(s, time, end, start, -outward);
         if (taken < time) {
           s = {end, 0.0};
           inside = false;
@@ -163,9 +160,8 @@ class NormalMotion {
     if (rests_at_edge(s, outward)) return rest(s, time, outward, record);
     // One that lost its load on the way turns round where the tail has taken its energy.
     double taken = 0.0;
-    if (start < -adhesion_.cutoff && energy > adhesion_.tail.work_up_to(-start)) {
-      taken = in_gap(s, time, {-adhesion_.tail.outer_cutoff(), start, -outward});
-    }
+    if (tail && start < -adhesion_.cutoff && energy > tail->work_up_to(-start, adhesion_.geometry))
+      taken = in_gap(s, time, -tail->outer_cutoff(), start, -outward);
     if (taken < time) s.v = std::abs(s.v);
     return taken;
   }
@@ -187,23 +183,22 @@ class NormalMotion {
     return time;
   }
 
-  /// Where a pair that is not in contact and not leaving moves next.
-  Gap gap_around(Overlap s, double outward) const {
+  /// Moves a pair that is not in contact and not leaving.
+  double cross_gap(Overlap& s, double time, double outward) const {
     const double drive = drive_at(s.x, outward);
-    if (s.x < -adhesion_.cutoff) return {s.x, -adhesion_.cutoff, drive};
-    return {-adhesion_.cutoff, 0.0, drive};
+    if (s.x < -adhesion_.cutoff) return in_gap(s, time, s.x, -adhesion_.cutoff, drive);
+    return in_gap(s, time, -adhesion_.cutoff, 0.0, drive);
   }
 
-  double in_gap(Overlap& s, double time, const Gap& gap) const {
-    const double drive = gap.drive;
-    const double touch = first_root(gap.high - s.x, -s.v, -drive);
-    const double out = first_root(s.x - gap.low, s.v, drive);
+  /// Moves a pair between the overlaps `low` < `high` <= 0 with a constant acceleration.
+  double in_gap(Overlap& s, double time, double low, double high, double drive) const {
+    const double touch = first_root(high - s.x, -s.v, -drive);
+    const double out = first_root(s.x - low, s.v, drive);
     const double t = std::min(std::min(touch, out), time);
     s = {s.x + t * (s.v + 0.5 * drive * t), s.v + drive * t};
     // Rounding must not carry the pair across the edge.
     if (t < time)
-      s = out < touch ? Overlap{gap.low, std::min(s.v, 0.0)}
-                      : Overlap{gap.high, std::max(s.v, 0.0)};
+      s = out < touch ? Overlap{low, std::min(s.v, 0.0)} : Overlap{high, std::max(s.v, 0.0)};
     return t;
   }
 

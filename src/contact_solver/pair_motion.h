@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "contact_solver/relative_state.h"
+#include "vector3.h"
 
 namespace cohesion::contact_solver {
 
@@ -28,10 +28,12 @@ inline double inverse_inertia(const Body& body) {
   return body.inverse_mass > 0.0 ? 2.5 * body.inverse_mass / (body.radius * body.radius) : 0.0;
 }
 
-/// Relative motion and spins of a pair, or changes of them.
+/// Position and velocity of particle j relative to particle i (of the foot of the normal relative
+/// to the particle's centre, at a wall), and their spins.
 struct PairMotion {
-  RelativeState relative{};
-  Vector3 spin_i{};  ///< [1/time]
+  Vector3 separation{};  ///< [length]
+  Vector3 velocity{};    ///< [length/time]
+  Vector3 spin_i{};      ///< [1/time]
   Vector3 spin_j{};
 };
 
@@ -47,16 +49,11 @@ struct StoredEnergies {
   double potential() const { return spring + adhesion; }
 };
 
-/// What a contact does to its particles: the impulse acts on j, its reverse on i.
-struct PairImpulse {
+/// What a contact does to its particles in a step: the impulse acts on j, its reverse on i.
+struct FrictionalStep {
   Vector3 impulse{};   ///< [momentum]
   Vector3 torque_i{};  ///< angular impulses, [momentum length]
   Vector3 torque_j{};
-};
-
-/// What a contact does in a step.
-struct FrictionalStep {
-  PairImpulse action{};    ///< impulses and torques
   Vector3 friction{};      ///< impulse of sliding friction on j, [momentum]
   double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
   /// What of the impulse an edge gives, which the next step does not have, [momentum].

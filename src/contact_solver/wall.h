@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "constants.h"
-#include "contact_solver/relative_state.h"
 #include "contact_solver/step_window.h"
 #include "validation.h"
+#include "vector3.h"
 
 namespace cohesion::contact_solver {
 
@@ -139,13 +139,14 @@ struct WallPoint {
 
 /// The motion of a wall relative to a particle beside it.
 struct RelativeWallMotion {
-  RelativeState relative;  ///< of the nearest point
-  Vector3 acceleration;    ///< [length/time^2]
+  Vector3 separation;    ///< of the nearest point, [length]
+  Vector3 velocity;      ///< of it, [length/time]
+  Vector3 acceleration;  ///< [length/time^2]
 
   /// Adds turning_of() a curved face. The relative velocity then has the mean rate of the distance
   /// in the last step, of length `last_step` [time].
   void add(const Vector3& turning, double last_step) {
-    relative.velocity += (0.5 * last_step) * turning;
+    velocity += (0.5 * last_step) * turning;
     acceleration -= turning;
   }
 };
@@ -197,7 +198,7 @@ struct Wall {
   RelativeWallMotion relative_motion(const Vector3& centre, const Vector3& velocity,
                                      const WallPoint& point, const WallState& now,
                                      double last_step) const {
-    RelativeWallMotion motion{{point.separation, point.velocity - velocity}, now.acceleration};
+    RelativeWallMotion motion{point.separation, point.velocity - velocity, now.acceleration};
     const double r = is_flat() ? 0.0 : std::hypot(centre.x, centre.y);
     if (r == 0.0) return motion;
     const Vector3 v = velocity - now.velocity, outwards{centre.x / r, centre.y / r, 0.0};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hamaker/parameters.h"
+#include "hamaker/tail.h"
 #include "sphere.h"
 
 namespace cohesion::hamaker {
@@ -24,7 +25,7 @@ namespace cohesion::hamaker {
 ///
 /// Source: cut-off as in M. Weber, thesis, section 6.2.4.1.
 template <class Form>
-class HamakerLaw {
+class HamakerLaw final : public Tail {
  public:
   /// Throws InvalidParameter as require_valid does, and when Form passes over an asperity given.
   explicit HamakerLaw(const HamakerParameters& p)
@@ -36,7 +37,7 @@ class HamakerLaw {
   }
 
   double surface_cutoff() const { return surface_cutoff_; }
-  double outer_cutoff() const { return outer_cutoff_; }
+  double outer_cutoff() const override { return outer_cutoff_; }
 
   /// Attraction at `gap` [length]; [force], positive attracts.
   double force(double gap, const PairGeometry& g) const {
@@ -75,11 +76,15 @@ class HamakerLaw {
   ///   B = 0                                   f >= 1
   ///
   /// Source: derived here.
-  double barrier(double load, double gap, const PairGeometry& g) const {
+  double barrier(double load, double gap, const PairGeometry& g) const override {
     const double from = std::max(gap, surface_cutoff_);
     if (from >= outer_cutoff_ || load >= force(from, g)) return 0.0;
     const double top = gap_of(load, from, g);
     return a_over_6_ * (form_.energy(top, g) - form_.energy(from, g)) - load * (top - from);
+  }
+
+  double work_up_to(double gap, const PairGeometry& g) const override {
+    return energy(gap, g) + tail_energy(g);
   }
 
  private:

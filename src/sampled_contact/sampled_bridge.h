@@ -34,10 +34,11 @@ class SampledBridge : public SampledPair {
   /// Gap at which a pair comes into range, [length].
   double entry_range() const { return 0.0; }
 
-  PairStep advance(const RelativeState& state, const StepWindow& window, bool inside) const {
+  PairStep advance(const Vector3& separation, const Vector3& velocity, const StepWindow& window,
+                   bool inside) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.record);
+    const SampledMotion now = sample(separation, velocity, time, step.record);
     step.inside = sampled_bridge(range(), -now.overlap, inside);
     // The energy of a bridge is zero at touch. The work between the touch and the gap at the
     // beginning of the step enters the balance when the bridge forms or breaks.

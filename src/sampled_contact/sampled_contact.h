@@ -6,7 +6,6 @@
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_spring.h"
 #include "contact_solver/pair_motion.h"
-#include "contact_solver/relative_state.h"
 #include "contact_solver/step_window.h"
 #include "sampled_contact/sampled_pair.h"
 
@@ -52,8 +51,8 @@ class SampledContact {
   double friction_load(double overlap, const ContactHistory& history) const {
     return pair_.attraction(overlap, history.normal.in_range());
   }
-  bool within_reach(const RelativeState& grid, double /*flown*/) const {
-    return pair_.within_reach(grid, window_);
+  bool within_reach(const Vector3& separation, const Vector3&, double /*flown*/) const {
+    return pair_.within_reach(norm(separation));
   }
 
   /// As those of ExactContact, for spheres that touch in their range. A tangential spring whose
@@ -65,28 +64,28 @@ class SampledContact {
     constexpr bool friction = SIZE >= ContactHistory::with_friction;
     constexpr bool rolling = SIZE >= ContactHistory::with_rolling;
     if (values[0] != ContactState::inside || (friction && sliding_.stiffens())) return false;
-    const RelativeState relative = now.relative();
-    PairStep normal = pair_.advance(relative, window_, true);
+    const Vector3 separation = now.separation(), velocity = now.velocity();
+    PairStep normal = pair_.advance(separation, velocity, window_, true);
     if (!(normal.record.contact_time > 0.0)) return false;
     ContactState::store_force(normal.force, values);
-    step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
+    step.impulse = bodies_.reduced_mass() * normal.velocity_change;
     step.repulsion = normal.record.repulsion_impulse;
     DiscreteSpring::Losses slid, rolled;
     if constexpr (friction) {
       const PersistentStep pressed{normal.force, normal.record.repulsion_at_end, 0.0};
-      const ContactBodies::Touch touch = ContactBodies::Touch::of_spheres(
-          bodies_, relative.separation, 1.0 / norm(relative.separation));
+      const ContactBodies::Touch touch =
+          ContactBodies::Touch::of_spheres(bodies_, separation, 1.0 / norm(separation));
       const Vector3 spin_i = now.spin_i(), spin_j = now.spin_j();
       step.friction = sliding_.persistent_impulse<true>(
-          touch.plane(), touch.sliding_velocity(relative.velocity, spin_i, spin_j), pressed, 0.0,
+          touch.plane(), touch.sliding_velocity(velocity, spin_i, spin_j), pressed, 0.0,
           values + ContactHistory::normal_only, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
+      touch.add_sliding_impulse(step.friction, step);
       if constexpr (rolling)
         touch.add_rolling_impulse(
             rolling_.persistent_impulse<true>(touch.plane(), touch.rolling_velocity(spin_i, spin_j),
                                               pressed, 0.0, values + ContactHistory::with_friction,
                                               energies ? &rolled : nullptr),
-            step.action);
+            step);
     }
     if (energies) set_losses(normal, slid, rolled, *energies);
     return true;
@@ -94,7 +93,7 @@ class SampledContact {
   template <int SIZE>
   StoredEnergies stored_persistent(const PairMotion& now, const double*,
                                    const double* values) const {
-    return stored(now.relative.separation, ContactHistory::stored(values, SIZE));
+    return stored(now.separation, ContactHistory::stored(values, SIZE));
   }
   template <class Motion>
   bool is_idle(const Motion&, const double*, double) const {
@@ -107,34 +106,34 @@ class SampledContact {
   [[gnu::always_inline]] FrictionalStep advance(const PairMotion& grid, const Vector3&, bool,
                                                 ContactHistory& history, ContactEnergies* energies,
                                                 bool with_stored = true) const {
-    const Vector3& s = grid.relative.separation;
+    const Vector3& s = grid.separation;
     if (history.normal.phase == ContactState::unknown)
-      history.normal.phase = stands(grid.relative) ? ContactState::inside : ContactState::outside;
-    const PairStep normal = pair_.advance(grid.relative, window_, history.normal.in_range());
+      history.normal.phase = stands(grid) ? ContactState::inside : ContactState::outside;
+    const PairStep normal = pair_.advance(s, grid.velocity, window_, history.normal.in_range());
     history.normal.phase = normal.inside ? ContactState::inside : ContactState::outside;
     FrictionalStep step;
-    step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
+    step.impulse = bodies_.reduced_mass() * normal.velocity_change;
     history.normal.force = normal.force;
     step.repulsion = normal.record.repulsion_impulse;
-    if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
+    if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.impulse;
     DiscreteSpring::Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
-      const Overlaps overlaps = this->overlaps(grid.relative);
+      const Overlaps overlaps = this->overlaps(grid);
       step.friction =
           spring_impulse(sliding_, overlaps, touch,
-                         touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
-                         normal, history.sliding, energies ? &slid : nullptr);
-      touch.add_sliding_impulse(step.friction, step.action);
+                         touch.sliding_velocity(grid.velocity, grid.spin_i, grid.spin_j), normal,
+                         history.sliding, energies ? &slid : nullptr);
+      touch.add_sliding_impulse(step.friction, step);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             spring_impulse(rolling_, overlaps, touch,
                            touch.rolling_velocity(grid.spin_i, grid.spin_j), normal,
                            history.rolling, energies ? &rolled : nullptr),
-            step.action);
+            step);
     }
     if (energies) {
-      if (with_stored) energies->stored = stored(grid.relative.separation, history);
+      if (with_stored) energies->stored = stored(grid.separation, history);
       set_losses(normal, slid, rolled, *energies);
     }
     return step;
@@ -142,8 +141,8 @@ class SampledContact {
 
   /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
   Vector3 by_contact(const PairMotion& grid, const FrictionalStep& step) const {
-    if (!attracts()) return step.action.impulse;
-    const Vector3& s = grid.relative.separation;
+    if (!attracts()) return step.impulse;
+    const Vector3& s = grid.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
@@ -167,7 +166,7 @@ class SampledContact {
   struct Overlaps {
     double now, before;
   };
-  Overlaps overlaps(const RelativeState& now) const {
+  Overlaps overlaps(const PairMotion& now) const {
     if (!sliding_.stiffens()) return {};  // not needed
     return {bodies_.distance() - norm(now.separation),
             bodies_.distance() - norm(now.separation - (2.0 * window_.before) * now.velocity)};
@@ -178,7 +177,7 @@ class SampledContact {
   }
   /// Whether a pair of which nothing is known stands in range, and has not come there by its motion
   /// of the last step.
-  bool stands(const RelativeState& now) const {
+  bool stands(const PairMotion& now) const {
     return is_in_range(norm(now.separation)) &&
            is_in_range(norm(now.separation - (2.0 * window_.before) * now.velocity));
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact_solver/relative_state.h"
 #include "hamaker/forms.h"
 #include "sampled_contact/sampled_pair.h"
 #include "sphere.h"
@@ -33,10 +32,11 @@ class SampledHamaker : public SampledPair {
   /// Gap at which a pair comes into range, [length].
   double entry_range() const { return range(); }
 
-  PairStep advance(const RelativeState& state, const StepWindow& window, bool) const {
+  PairStep advance(const Vector3& separation, const Vector3& velocity, const StepWindow& window,
+                   bool) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.record);
+    const SampledMotion now = sample(separation, velocity, time, step.record);
     step.force = now.repulsion - attraction(now.overlap, true);
     step.velocity_change = (time * step.force / reduced_mass()) * now.normal;
     step.inside = -now.overlap < range();

@@ -3,8 +3,8 @@
 
 #include "contact/normal_law.h"
 #include "contact_solver/motion_along_normal.h"
-#include "contact_solver/relative_state.h"
 #include "contact_solver/step_window.h"
+#include "vector3.h"
 
 namespace cohesion::sampled_contact {
 
@@ -33,9 +33,7 @@ class SampledPair {
   /// Gap up to which the pair attracts, [length].
   double range() const { return range_; }
 
-  bool within_reach(const RelativeState& state, const StepWindow&) const {
-    return norm(state.separation) <= contact_distance_ + range_;
-  }
+  bool within_reach(double distance) const { return distance <= contact_distance_ + range_; }
 
   /// Stored in the spring, [energy].
   double spring_energy(double overlap) const {
@@ -52,11 +50,12 @@ class SampledPair {
         range_(range) {}
 
   /// `time` [time]: for which the force of this time level acts; `record` receives its work.
-  SampledMotion sample(const RelativeState& state, double time, NormalRecord& record) const {
-    const double distance = norm(state.separation);
-    const Vector3 normal = (1.0 / distance) * state.separation;
+  SampledMotion sample(const Vector3& separation, const Vector3& velocity, double time,
+                       NormalRecord& record) const {
+    const double distance = norm(separation);
+    const Vector3 normal = (1.0 / distance) * separation;
     const double overlap = contact_distance_ - distance;
-    const double rate = -dot(normal, state.velocity);
+    const double rate = -dot(normal, velocity);
     return {normal, overlap, rate, repulsion(overlap, rate, time, record)};
   }
 

@@ -51,10 +51,11 @@ class SampledWell : public SampledPair {
   /// Gap at which a pair comes into range, [length].
   double entry_range() const { return range(); }
 
-  PairStep advance(const RelativeState& state, const StepWindow& window, bool inside) const {
+  PairStep advance(const Vector3& separation, const Vector3& velocity, const StepWindow& window,
+                   bool inside) const {
     PairStep step;
     const double time = window.length();
-    const SampledMotion now = sample(state, time, step.record);
+    const SampledMotion now = sample(separation, velocity, time, step.record);
     const double impulse =
         sampled_edge_impulse(depth_, range(), inverse_mass_, -now.overlap, now.rate, inside);
     step.force = now.repulsion + impulse / time;

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "advice/thesis_pair.h"
+#include "hamaker/law.h"
+#include "hamaker/small_gap.h"
 
 namespace cohesion::advice {
 namespace {

@@ -20,7 +20,7 @@ constexpr int plain = ContactHistory::normal_only;
 
 template <class Pair>
 Vector3 relative_velocity(const Pair& pair) {
-  return pair.motion(pair.contacts[0]).relative.velocity;
+  return pair.motion(pair.contacts[0]).velocity;
 }
 
 }  // namespace

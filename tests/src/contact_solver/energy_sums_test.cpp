@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact_solver/energy_sums.h"
+#include "contact_solver/energy_balance.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,7 @@ constexpr Vector3 gravity{0.0, 0.0, -1.5};
 struct Particle {
   Vector3 x{0.1, -0.2, 0.3}, v{0.4, 0.1, -0.2}, omega{0.5, -0.1, 0.2};
   EnergySums sums;
+  ParticleWork work;
   WorkOfForces dashpot;
   Vector3 force{}, torque{};
 
@@ -23,9 +24,11 @@ struct Particle {
   void act(double half, bool starts, bool again) {
     if (again) {
       sums.begin_again();
+      work.begin_again();
       dashpot.begin_again();
     } else {
       sums.begin_step();
+      work.begin_step();
       dashpot.begin_step();
     }
     const Vector3 spring = -stiffness * x, damped = -damping * v;
@@ -45,9 +48,9 @@ struct Particle {
     sums.store(1.0, {0.5 * stiffness * dot(x, x), 0.0, 0.0, 0.0});
     dashpot.add(damped, {}, passage);
     const ForcesAtLevel forces{force, spring + damped, mass * gravity, {}, torque, of_contact};
-    sums.add_external_work(forces, passage);
-    sums.friction.add(forces.friction, forces.of_contacts_torque, passage);
-    if (!starts) sums.store_motion(forces, 1.0 / mass, 1.0 / inertia, half);
+    work.add_external_work(forces, passage);
+    work.friction.add(forces.friction, forces.of_contacts_torque, passage);
+    if (!starts) work.store_motion(forces, 1.0 / mass, 1.0 / inertia, half);
   }
   void move(double half) {
     v += (half / mass) * force;
@@ -59,8 +62,8 @@ struct Particle {
     energy_tally::add_body(entries, mass, inertia, v, omega, mass * gravity, x);
     EnergySums all = sums;
     all.lose({-dashpot.so_far()});
-    all.add_so_far(1.0, entries);
-    all.add_stored(entries);
+    add_so_far(all, work, 1.0, entries);
+    add_stored(all, work, entries);
     return energy_tally::balance(entries);
   }
 };
@@ -105,19 +108,19 @@ TEST(EnergySums, RunThatGoesOnBalancesAgain) {
 
 /// The first step of a run with accounts begins from the kinetic energy alone; what other forces
 /// and torques do in it is exact. (Without contact.)
-TEST(EnergySums, StartCountsTheWorkOfTheMeanVelocity) {
-  EnergySums sums;
+TEST(ParticleWork, StartCountsTheWorkOfTheMeanVelocity) {
+  ParticleWork work;
   const Vector3 v{0.4, 0.1, -0.2}, push{0.3, 0.2, 0.1};
   const Vector3 kick = (0.5 * dt / mass) * push;
-  sums.add_external_work({push, {}, {}, {}, {}, {}}, Passage::start(v, kick, {}, {}, 0.5 * dt));
-  EXPECT_EQ(sums.external.so_far(), 0.0);
-  sums.begin_step();
+  work.add_external_work({push, {}, {}, {}, {}, {}}, Passage::start(v, kick, {}, {}, 0.5 * dt));
+  EXPECT_EQ(work.external.so_far(), 0.0);
+  work.begin_step();
   const Vector3 after = v + kick;
-  EXPECT_NEAR(sums.external.so_far(), 0.5 * mass * (dot(after, after) - dot(v, v)), 1e-16);
+  EXPECT_NEAR(work.external.so_far(), 0.5 * mass * (dot(after, after) - dot(v, v)), 1e-16);
 }
 
 /// The half step after a time level is part of the work whether or not the step has output.
-TEST(EnergySums, WorkIsIndependentOfOutputSteps) {
+TEST(ParticleWork, WorkIsIndependentOfOutputSteps) {
   const Vector3 v{0.4, 0.1, -0.2}, kick{0.03, 0.0, 0.01}, spin{0.5, -0.1, 0.2},
       turn{0.0, 0.02, 0.0};
   const Vector3 push{0.3, 0.2, 0.1}, torque{0.01, 0.0, 0.02};
@@ -144,8 +147,8 @@ TEST(EnergySums, LossesCountWhenTheirTimeHasCome) {
   }
   const auto entry = [&](energy_tally::EnergyEntry which) {
     double entries[energy_tally::ENTRIES] = {};
-    sums.add_so_far(1.0, entries);
-    sums.add_stored(entries);
+    add_so_far(sums, {}, 1.0, entries);
+    add_stored(sums, {}, entries);
     return entries[which];
   };
   EXPECT_DOUBLE_EQ(entry(energy_tally::SPRING), 1.0 + 0.5 + 0.25);

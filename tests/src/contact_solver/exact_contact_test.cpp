@@ -43,7 +43,7 @@ bool part_within(Pair& pair, double time) {
 /// The rate at which a pair parts, along its line of centres.
 template <class Pair>
 double parting(const Pair& pair) {
-  const RelativeState now = pair.motion(pair.contacts[0]).relative;
+  const PairMotion now = pair.motion(pair.contacts[0]);
   return dot(now.separation, now.velocity) / norm(now.separation);
 }
 

@@ -39,7 +39,7 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
   contact::ContactParameters p = thesis::contact();
   p.friction = 0.3;
   const double dt = 1e-5, overlap = 1e-6, rate = 0.01;
-  const PairMotion grid{{{core - overlap, 0.0, 0.0}, {-rate, 0.02, 0.0}}, {}, {}};
+  const PairMotion grid{{core - overlap, 0.0, 0.0}, {-rate, 0.02, 0.0}, {}, {}};
   const double normal = dt * (800.0 * overlap + 0.79e-3 * rate);
   for (const double depth : {0.0, 5e-11}) {
     const double range = depth > 0.0 ? 0.01 * core : 0.0;
@@ -52,10 +52,10 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
     // The overlap is a difference of numbers a thousand times larger.
     const Vector3 by_contact = c.by_contact(grid, step);
     EXPECT_NEAR(by_contact.x / normal, 1.0, 1e-12);
-    EXPECT_NEAR(by_contact.y, step.action.impulse.y, 4 * eps * normal);
+    EXPECT_NEAR(by_contact.y, step.impulse.y, 4 * eps * normal);
     EXPECT_LT(by_contact.y, -1e-3 * normal);
     const double gain = std::sqrt(rate * rate + 2.0 * depth / thesis::reduced_mass) - rate;
-    EXPECT_NEAR(step.action.impulse.x, normal - thesis::reduced_mass * gain, 1e-12 * normal);
+    EXPECT_NEAR(step.impulse.x, normal - thesis::reduced_mass * gain, 1e-12 * normal);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/hertz_reference.h"
@@ -24,8 +25,9 @@ Grains glass(double diameter, double modulus, double restitution) {
   return {modulus, 0.25 * diameter, restitution, 0.5 * mass};
 }
 contact::Adhesion hamaker(double diameter, double constant) {
-  const hamaker::HamakerLaw<hamaker::SmallGap> law({constant, 4e-10, 1e-7});
-  return contact::adhesion_of(law, two_spheres(0.5 * diameter, 0.5 * diameter));
+  static std::deque<hamaker::HamakerLaw<hamaker::SmallGap>> laws;
+  laws.emplace_back(hamaker::HamakerParameters{constant, 4e-10, 1e-7});
+  return contact::adhesion_of(laws.back(), two_spheres(0.5 * diameter, 0.5 * diameter));
 }
 
 /// A pair that flies head-on into contact on an engine's grid.

@@ -90,9 +90,9 @@ class Spheres {
       }
       count(law, now, c);
       const double inverse = 1.0 / length;
-      const PairImpulse& a = c.last.action;
+      const FrictionalStep& a = c.last;
       push(c, a, next);
-      PairImpulse steady = a;
+      FrictionalStep steady = a;
       steady.impulse -= c.last.at_edge;
       accelerate(c, steady, inverse, next);
       normal_lost_ += c.energies.before.normal_damping;
@@ -146,10 +146,10 @@ class Spheres {
     const Sphere& i = spheres[c.i];
     if (c.j >= 0) {
       const Sphere& j = spheres[c.j];
-      return {{j.x - i.x, j.v - i.v}, i.spin, j.spin};
+      return {j.x - i.x, j.v - i.v, i.spin, j.spin};
     }
     const Wall& wall = walls[-1 - c.j];
-    return {{-dot(i.x - wall.place, wall.normal) * wall.normal, wall.velocity - i.v}, i.spin, {}};
+    return {-dot(i.x - wall.place, wall.normal) * wall.normal, wall.velocity - i.v, i.spin, {}};
   }
 
   Vector3 momentum() const {
@@ -182,7 +182,8 @@ class Spheres {
   /// A PairMotion as ExactContact::advance_persistent() reads it.
   struct InSteps {
     const PairMotion& now;
-    RelativeState relative() const { return now.relative; }
+    Vector3 separation() const { return now.separation; }
+    Vector3 velocity() const { return now.velocity; }
     Vector3 spin_i() const { return now.spin_i; }
     Vector3 spin_j() const { return now.spin_j; }
   };
@@ -203,7 +204,7 @@ class Spheres {
     const Vector3 of_j = c.j < 0 ? Vector3{} : spheres[c.j].acceleration;
     return of_j - spheres[c.i].acceleration;
   }
-  static void push(const Contact& c, const PairImpulse& a, std::vector<Sphere>& to) {
+  static void push(const Contact& c, const FrictionalStep& a, std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.v -= i.body.inverse_mass * a.impulse;
     i.spin += inverse_inertia(i.body) * a.torque_i;
@@ -212,7 +213,7 @@ class Spheres {
     j.v += j.body.inverse_mass * a.impulse;
     j.spin += inverse_inertia(j.body) * a.torque_j;
   }
-  static void accelerate(const Contact& c, const PairImpulse& a, double inverse,
+  static void accelerate(const Contact& c, const FrictionalStep& a, double inverse,
                          std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.acceleration -= (inverse * i.body.inverse_mass) * a.impulse;
@@ -225,7 +226,7 @@ class Spheres {
   static void count(const ExactContact<Solver>& law, const PairMotion& now, Contact& c) {
     c.by_contact += law.by_contact(now, c.last);
     c.friction += c.last.friction;
-    c.normal_impulse += c.last.action.impulse - c.last.friction;
+    c.normal_impulse += c.last.impulse - c.last.friction;
   }
   /// With the kinetic energy of the staggered velocities before and after the time level.
   void sum_up(const std::vector<Sphere>& next, double stored) {
@@ -254,7 +255,7 @@ class Spheres {
     double done = 0.0;
     for (const Contact& c : contacts) {
       const Sphere& i = all[c.i];
-      const PairImpulse& a = c.last.action;
+      const FrictionalStep& a = c.last;
       const Vector3 partner = c.j < 0 ? walls[-1 - c.j].velocity : all[c.j].v;
       done += dot(c.last.friction, partner - i.v) + dot(a.torque_i, i.spin);
       if (c.j >= 0) done += dot(a.torque_j, all[c.j].spin);

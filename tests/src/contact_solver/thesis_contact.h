@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
+
 #include "contact/adhesion.h"
 #include "contact/contact_parameters.h"
 #include "contact_solver/pair_motion.h"
@@ -23,8 +25,9 @@ inline contact_solver::Body particle() { return {radius, 1.0 / mass}; }
 /// F_ad = A r/(12 H_cut^2), tail energy F_ad H_cut: the small-gap form without outer cut-off, which
 /// is so far away that all it lacks is rounding.
 inline contact::Adhesion adhesion(double hamaker_constant) {
-  const hamaker::HamakerLaw<hamaker::SmallGap> law({hamaker_constant, range, 1e8});
-  return contact::adhesion_of(law, two_spheres(radius, radius));
+  static std::deque<hamaker::HamakerLaw<hamaker::SmallGap>> laws;
+  laws.emplace_back(hamaker::HamakerParameters{hamaker_constant, range, 1e8});
+  return contact::adhesion_of(laws.back(), two_spheres(radius, radius));
 }
 
 inline contact::ContactParameters contact() {

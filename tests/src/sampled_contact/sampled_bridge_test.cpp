@@ -28,11 +28,11 @@ struct Bridged {
         rate(-speed) {}
 
   void step() {
-    const RelativeState grid{{distance + 0.5 * dt * rate, 0.0, 0.0}, {rate, 0.0, 0.0}};
-    last = law.advance(grid, {0.5 * dt, 0.5 * dt}, last.inside);
+    const double next = distance + 0.5 * dt * rate;
+    last = law.advance({next, 0.0, 0.0}, {rate, 0.0, 0.0}, {0.5 * dt, 0.5 * dt}, last.inside);
     dissipated += last.record.dissipated;
     rate += last.velocity_change.x;
-    distance = grid.separation.x + 0.5 * dt * rate;
+    distance = next + 0.5 * dt * rate;
   }
   double kinetic() const { return 0.5 * thesis::reduced_mass * rate * rate; }
 };
@@ -46,12 +46,12 @@ TEST(SampledBridge, FormsAtTouchAndBreaksBeyondItsGap) {
   EXPECT_FALSE(sampled_bridge(gap, 1.5 * gap, true));
   const SampledBridge law(contact::normal_contact(thesis::contact(), thesis::reduced_mass),
                           bridge(), core);
-  const RelativeState in_gap{{core + 0.5 * gap, 0, 0}, {}};
+  const Vector3 in_gap{core + 0.5 * gap, 0, 0};
   const StepWindow window{5e-7, 5e-7};
-  EXPECT_EQ(law.advance(in_gap, window, false).velocity_change.x, 0.0);
-  EXPECT_NEAR(
-      law.advance(in_gap, window, true).velocity_change.x / (-1e-6 * force / thesis::reduced_mass),
-      1.0, 1e-12);
+  EXPECT_EQ(law.advance(in_gap, {}, window, false).velocity_change.x, 0.0);
+  EXPECT_NEAR(law.advance(in_gap, {}, window, true).velocity_change.x /
+                  (-1e-6 * force / thesis::reduced_mass),
+              1.0, 1e-12);
 }
 
 TEST(SampledBridge, TakesItsWorkToTheOrderOfTheStep) {

@@ -38,12 +38,11 @@ TEST(SampledPair, RepulsionIsTheLawWhereThePairIs) {
   const StepWindow window{0.5 * time, 0.5 * time};
   const contact::LawPoint here = contact::point_of(law(e), overlap);
   const SampledHamaker pair = pair_without_attraction();
-  const PairStep pressed = pair.advance({{distance, 0, 0}, {-rate, 0, 0}}, window, false);
+  const PairStep pressed = pair.advance({distance, 0, 0}, {-rate, 0, 0}, window, false);
   EXPECT_DOUBLE_EQ(pressed.force, here.force + here.damping * rate);
   EXPECT_DOUBLE_EQ(pressed.record.dissipated, time * here.damping * rate * rate);
   EXPECT_DOUBLE_EQ(pair.spring_energy(overlap), here.energy);
-  const PairStep apart =
-      pair.advance({{2.0 * radius + overlap, 0, 0}, {-rate, 0, 0}}, window, false);
+  const PairStep apart = pair.advance({2.0 * radius + overlap, 0, 0}, {-rate, 0, 0}, window, false);
   EXPECT_EQ(apart.force, 0.0);
   EXPECT_EQ(pair.spring_energy(-overlap), 0.0);
 }
@@ -55,12 +54,12 @@ TEST(SampledPair, RestitutionOfHertzComesWithTheStep) {
   for (const double steps : {50.0, 400.0}) {
     const double dt = contact_time / steps;
     const SampledHamaker pair = pair_without_attraction();
-    RelativeState grid{{2.0 * radius + 0.3 * speed * dt, 0, 0}, {-speed, 0, 0}};
+    Vector3 separation{2.0 * radius + 0.3 * speed * dt, 0, 0}, velocity{-speed, 0, 0};
     for (int k = 0; k < 3 * steps; k++) {
-      grid.velocity += pair.advance(grid, {0.5 * dt, 0.5 * dt}, false).velocity_change;
-      grid.separation += dt * grid.velocity;
+      velocity += pair.advance(separation, velocity, {0.5 * dt, 0.5 * dt}, false).velocity_change;
+      separation += dt * velocity;
     }
-    EXPECT_NEAR(grid.velocity.x / speed / e, 1.0, 0.5 * (1.0 - e * e) * pi / (2.0 * steps));
+    EXPECT_NEAR(velocity.x / speed / e, 1.0, 0.5 * (1.0 - e * e) * pi / (2.0 * steps));
   }
 }
 
@@ -75,7 +74,7 @@ TEST(SampledContact, TheTangentialSpringStiffensWithHertzOverlap) {
       p, {hamaker::forms.front().law(hamaker::none, false), two_spheres(radius, radius)},
       {radius, 1.0 / mass}, {radius, 1.0 / mass}, {0.5 * dt, 0.5 * dt});
   const auto friction = [&](double overlap, double rate, double sideways, ContactHistory& history) {
-    const PairMotion at{{{2.0 * radius - overlap, 0, 0}, {-rate, sideways, 0}}, {}, {}};
+    const PairMotion at{{2.0 * radius - overlap, 0, 0}, {-rate, sideways, 0}, {}, {}};
     return contact.advance<ContactHistory::with_friction>(at, {}, false, history, nullptr)
         .friction.y;
   };

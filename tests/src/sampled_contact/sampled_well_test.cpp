@@ -21,7 +21,7 @@ SampledWell pair() {
 
 /// Change of energy over D and flag after a step from the grid point.
 std::pair<double, bool> step(double distance, double velocity, bool inside) {
-  const PairStep now = pair().advance({{distance, 0, 0}, {velocity, 3e-3, 0}}, window, inside);
+  const PairStep now = pair().advance({distance, 0, 0}, {velocity, 3e-3, 0}, window, inside);
   const double after = velocity + now.velocity_change.x;
   EXPECT_EQ(now.velocity_change.y, 0.0);
   if (inside && velocity < 0.0) {
@@ -54,7 +54,7 @@ TEST(SampledWell, GivesTheImpulseWhereThePairIsFoundBeyondTheEdge) {
 
 TEST(SampledWell, InContactItIsTheSampledSpring) {
   const double overlap = 1e-6, rate = 0.01;
-  const PairStep now = pair().advance({{core - overlap, 0, 0}, {-rate, 0, 0}}, window, true);
+  const PairStep now = pair().advance({core - overlap, 0, 0}, {-rate, 0, 0}, window, true);
   const double force = 800.0 * overlap + 0.79e-3 * rate;
   // The overlap is a difference of numbers a thousand times larger.
   EXPECT_NEAR(now.velocity_change.x, force * dt / thesis::reduced_mass,
