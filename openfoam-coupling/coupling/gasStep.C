@@ -75,7 +75,7 @@ Foam::scalar Foam::gasStep::allowedSteps(const scalar courant)
     {
         WarningOnceInFunction(warning_)
             << "maxCo and maxDeltaT ask for a gas step of " << steps*particleStep_
-            << " s, shorter than the particles' " << particleStep_ << " s, which is taken; this is said"
+            << " s, shorter than the particles' " << particleStep_ << " s, which is taken; printed"
             << " once" << endl;
     }
     return max(scalar(1), std::floor(steps));

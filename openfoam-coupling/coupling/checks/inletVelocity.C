@@ -99,7 +99,7 @@ void Foam::inletVelocity::checkBetweenParticles
         << " m/s between the particles, by type " << values.type() << " in the file U, and the void fraction there is "
         << sixDigits(share).c_str() << ": its superficial velocity is " << sixDigits(share*given).c_str() << " m/s"
         << nl << "    Where the given velocity is meant as the superficial one, take 'type superficialVelocity;"
-        << " superficialVelocity " << sixDigits(given).c_str() << ";'; this is said once for each patch" << endl;
+        << " superficialVelocity " << sixDigits(given).c_str() << ";'; printed once for each patch" << endl;
 }
 
 

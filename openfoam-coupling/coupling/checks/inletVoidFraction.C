@@ -142,5 +142,5 @@ void Foam::inletVoidFraction::warn(onceWarning& warning, const string& patches)
         << " and the pressure on the patch, with a pressure drop that is taken from there, is off. That is meant"
         << " for jets in a plate that is closed between them, on a patch of their own or by superficialVelocity"
         << " with a share below 1. Where gas comes through all of a patch take 'type zeroGradient;' in the file"
-        << " voidFraction, and superficialVelocity in U; this is said once for each patch" << endl;
+        << " voidFraction, and superficialVelocity in U; printed once for each patch" << endl;
 }

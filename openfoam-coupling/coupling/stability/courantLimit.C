@@ -24,5 +24,5 @@ void Foam::courantLimit::check(const Time& time, const scalar courant)
         << ": in a step of deltaT = " << time.deltaTValue() << " s it crosses that many cells, and what it does"
         << " within fewer is lost" << nl
         << "    Take a deltaT of at most " << sixDigits(time.deltaTValue()/courant).c_str()
-        << " s, or 'adjustTimeStep yes; maxCo 1;' in system/controlDict; this is said once" << endl;
+        << " s, or 'adjustTimeStep yes; maxCo 1;' in system/controlDict; printed once" << endl;
 }

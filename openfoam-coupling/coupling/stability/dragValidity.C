@@ -57,7 +57,7 @@ void Foam::dragValidity::warn(const scalar, const scalar)
         << "drag " << closure_.name.data() << " was fitted for " << range().c_str()
         << "; " << count << " of " << all << " particles are outside, at void fractions from "
         << lowest << " to " << highest << " and Reynolds numbers up to " << reynolds
-        << ". The formula is used as it is. This is said once; the end of the log has the count"
+        << ". The formula is used as it is. This warning is printed once; the end of the log has the count"
         << endl;
 }
 

@@ -35,6 +35,6 @@ void Foam::exchangeError::warn(const scalar largest, const scalar)
         << " they have so little mass there that the gas should give way: their velocity may be off"
         << " by " << 100*largest << " % of the slip, and the gas's, until about as many steps"
         << " later. Nothing is wrong once they move steadily. A smaller deltaT cures it, or, where they"
-        << " do not touch each other, 'response free;' in constant/couplingProperties; this is said once"
+        << " do not touch each other, 'response free;' in constant/couplingProperties; printed once"
         << endl;
 }

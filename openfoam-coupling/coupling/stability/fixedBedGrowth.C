@@ -23,5 +23,5 @@ void Foam::fixedBedGrowth::warn(const scalar largest, const scalar)
     WarningOnceInFunction(warning_)
         << "with response free the gas is solved with particles that give way to it; in a fixed bed its"
         << " velocity would grow by a factor of " << largest << " in a step. Where they touch each"
-        << " other use 'response held;' in constant/couplingProperties, or a smaller deltaT; this is said once" << endl;
+        << " other use 'response held;' in constant/couplingProperties, or a smaller deltaT; printed once" << endl;
 }

@@ -65,7 +65,7 @@ void Foam::pressureWaves::warn(const scalar largest, const scalar dt)
         << ": void fraction " << voidFraction << ", x = b deltaT/m = " << step
         << ". Particles that touch others hold them back. A deltaT below " << share*dt
         << " s cures it, as void fractions and drag are now and with as many particle steps in it"
-        << (formB ? ", or 'form B;' in constant/couplingProperties" : "") << "; this is said once" << endl;
+        << (formB ? ", or 'form B;' in constant/couplingProperties" : "") << "; printed once" << endl;
 }
 
 

@@ -273,5 +273,5 @@ void Foam::viscousWaves::warn(const Worst& worst, const Steps& cells)
         << ", M = nu deltaT k^2 = " << worst.step.viscous << ", " << worst.step.engine_steps
         << " steps of the particles in a deltaT. 'form B;' in"
         << " constant/couplingProperties cures it, or, with void fractions and viscosity as they are now, "
-        << other.c_str() << "; this is said once" << endl;
+        << other.c_str() << "; printed once" << endl;
 }
