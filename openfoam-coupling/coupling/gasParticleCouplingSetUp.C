@@ -101,14 +101,14 @@ void Foam::gasParticleCoupling::start(coupledTime& time)
         startBound();
     }
     step_ = std::make_unique<gasStep>(time, engine_->time_step(), continued_);
-    warnOfWideSmoothing(dict_, mesh_, coupledParticles_);
-    warnOfSuspensionInSmallCells(dict_, mesh_, coupledParticles_);
 
     if (!continued_)
     {
         locateParticles();
         setVoidFraction();
     }
+    warnOfWideSmoothing(dict_, mesh_, coupledParticles_);
+    warnOfSuspensionInSmallCells(dict_, mesh_, coupledParticles_);
     voidFraction().oldTime();
     coupledParticles_.start();
 }

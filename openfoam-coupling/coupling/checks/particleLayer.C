@@ -36,14 +36,17 @@ Foam::particleLayer::particleLayer(const fvMesh& mesh, const coupledParticles& p
     {
         return;
     }
+    // Volume of the mesh within the layer: of each cell the share of its height that is in the layer, as if its
+    // cross-section were constant.
     const scalar bottom = sums[1]/solid - 0.5*height, top = bottom + height;
-    scalar beside = 0;
+    scalar volumeInLayer = 0;
     forAll(mesh.V(), cell)
     {
-        const scalarMinMax ends(minMax(scalarField(corners, mesh.cellPoints()[cell])));
-        beside += mesh.V()[cell]*max(min(top, ends.max()) - max(bottom, ends.min()), scalar(0))/ends.mag();
+        const scalarMinMax ends(minMax(scalarField(corners, mesh.cells()[cell].labels(mesh.faces()))));
+        volumeInLayer +=
+            mesh.V()[cell]*max(min(top, ends.max()) - max(bottom, ends.min()), scalar(0))/ends.mag();
     }
-    reduce(beside, sumOp<scalar>());
-    const scalar inside = min(top, gMax(corners)) - max(bottom, gMin(corners));
-    base = beside*particles.depthRatio()/inside;
+    reduce(volumeInLayer, sumOp<scalar>());
+    const scalar heightInMesh = min(top, gMax(corners)) - max(bottom, gMin(corners));
+    base = volumeInLayer*particles.depthRatio()/heightInMesh;
 }
