@@ -61,8 +61,8 @@ class HamakerAttraction : public CohesionDefaults {
   }
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
-    return cohesion::contact::adhesion_of(laws_.of(itype, jtype),
-                                          geometry(!std::isfinite(rj), ri, rj));
+    return cohesion::contact::adhesion_with_tail(laws_.of(itype, jtype),
+                                                 geometry(!std::isfinite(rj), ri, rj));
   }
 
   /// Given where material_stiffness or material_modulus is on.

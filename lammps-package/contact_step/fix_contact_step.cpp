@@ -140,7 +140,7 @@ void FixContactStep::find_altered() {
 }
 
 void FixContactStep::repeat_forces(int i, int j,
-                                   const cohesion::contact_solver::FrictionalStep& forces) const {
+                                   const cohesion::contact_solver::PairAction& forces) const {
   const auto add = [](double* to, const Vector3& a) {
     to[0] += a.x;
     to[1] += a.y;

@@ -141,8 +141,9 @@ class FixContactStep : public Fix {
 
   /// Impulses of the contacts in this step.
   ContactImpulses impulses;
-  /// Energy balance of the contacts, and the work of forces.
+  /// Energies of contacts.
   ContactEnergyTally energy_tally;
+  /// Work of forces.
   const cohesion::contact_solver::ParticleWork& work() const { return *particle_work; }
   /// Adds work of a moving wall, and of friction on it, in the step around the time level.
   void add_wall_work(double done, double by_friction);
@@ -157,9 +158,9 @@ class FixContactStep : public Fix {
   [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
-  /// Adds forces of the last step on i and j while a run that continues it is set up; j < 0: a
-  /// wall.
-  void repeat_forces(int i, int j, const cohesion::contact_solver::FrictionalStep&) const;
+  /// Adds forces [force] and torques of the last step on i and j while a run that continues it is
+  /// set up; j < 0: a wall.
+  void repeat_forces(int i, int j, const cohesion::contact_solver::PairAction& forces) const;
 
   /// Adds a force [force] of an impulse at the edge of a range, on own particle i.
   void add_impulsive_force(int i, const cohesion::Vector3& on_it) {

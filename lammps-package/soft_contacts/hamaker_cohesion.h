@@ -76,8 +76,8 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::HamakerParameters>
   template <class Attraction>
   static Attraction attraction(const Law& law, const cohesion::PairGeometry& geometry) {
     if constexpr (std::is_same_v<Attraction, cohesion::contact::Adhesion>)
-      return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
-                        law);
+      return std::visit(
+          [&](const auto& l) { return cohesion::contact::adhesion_with_tail(l, geometry); }, law);
     else
       return {law, geometry};
   }

@@ -8,7 +8,7 @@ namespace cohesion::contact {
 
 /// A short-ranged attraction as closed-form contact motion sees it: a constant force from the gap
 /// H_cut inwards, in contact too, and a tail beyond it that acts at H_cut all at once. A load works
-/// on the way through it: `tail` is the law that says how far it helps.
+/// on the way through it: `tail` is the law from which the barrier under a load follows.
 /// One that forms at touch, as a liquid bridge, acts in the gap only between two that have touched;
 /// its force may fall over the gap.
 struct Adhesion {
@@ -16,10 +16,11 @@ struct Adhesion {
   double cutoff = 0.0;       ///< H_cut, [length]
   double tail_energy = 0.0;  ///< E_tail, [energy]: work of the attraction from far away to H_cut
   bool forms_at_touch = false;
-  /// Of E_tail, which outlives the contacts; null: E_tail is that of an edge without width.
+  /// The law of the tail, not owned: it must outlive this. Null: the tail acts at an edge without
+  /// width.
   const hamaker::Tail* tail = nullptr;
   double fall = 0.0;        ///< L of the pull of a bridge, [length]; 0: constant up to H_cut
-  PairGeometry geometry{};  ///< for the tail
+  PairGeometry geometry{};  ///< of the pair, argument of `tail`
 
   bool attracts() const { return force > 0.0 || tail_energy > 0.0; }
   liquid_bridge::Pull pull() const { return {force, fall}; }
@@ -30,13 +31,22 @@ struct Adhesion {
   double approach_energy() const { return forms_at_touch ? 0.0 : well_energy(); }
 };
 
-/// The adhesion of a pair under `law` (hamaker/law.h), which it points to; none at all when it has
-/// no force.
+/// The adhesion of a pair under `law` (hamaker/law.h), for closed forms: without `tail`. None at
+/// all when the law has no force.
 template <class Law>
 Adhesion adhesion_of(const Law& law, const PairGeometry& geometry) {
   const double force = law.adhesion_force(geometry);
   if (force == 0.0) return {};
-  return {force, law.surface_cutoff(), law.tail_energy(geometry), false, &law, 0.0, geometry};
+  return {force, law.surface_cutoff(), law.tail_energy(geometry), false, nullptr, 0.0, geometry};
 }
+/// The same for a solver: its `tail` points to `law`, which must outlive it.
+template <class Law>
+Adhesion adhesion_with_tail(const Law& law, const PairGeometry& geometry) {
+  Adhesion adhesion = adhesion_of(law, geometry);
+  if (adhesion.force != 0.0) adhesion.tail = &law;
+  return adhesion;
+}
+template <class Law>
+Adhesion adhesion_with_tail(const Law&&, const PairGeometry&) = delete;
 
 }  // namespace cohesion::contact

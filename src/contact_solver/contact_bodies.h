@@ -99,19 +99,17 @@ class ContactBodies {
       return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
     }
 
-    /// Adds an impulse on j's surface to a step that has no torques yet.
-    [[gnu::always_inline]] void add_sliding_impulse(const Vector3& impulse,
-                                                    FrictionalStep& step) const {
+    /// Adds an impulse on j's surface to an action that has no torques yet.
+    [[gnu::always_inline]] void add_sliding_impulse(const Vector3& impulse, PairAction& to) const {
       const Vector3 turn = cross(plane_.normal, impulse);
-      step.impulse += impulse;
-      step.torque_i = -lever_i_ * turn;
-      step.torque_j = (lever_i_ - 1.0) * turn;
+      to.impulse += impulse;
+      to.torque_i = -lever_i_ * turn;
+      to.torque_j = (lever_i_ - 1.0) * turn;
     }
     /// Adds the impulse of the rolling spring, which is no force, but the torques R F and -R F.
-    [[gnu::always_inline]] void add_rolling_impulse(const Vector3& impulse,
-                                                    FrictionalStep& step) const {
-      step.torque_i += bodies_.rolling_radius_ * impulse;
-      step.torque_j -= bodies_.rolling_radius_ * impulse;
+    [[gnu::always_inline]] void add_rolling_impulse(const Vector3& impulse, PairAction& to) const {
+      to.torque_i += bodies_.rolling_radius_ * impulse;
+      to.torque_j -= bodies_.rolling_radius_ * impulse;
     }
 
    private:

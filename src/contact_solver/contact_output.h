@@ -42,12 +42,12 @@ ContactOutput output_of(const Contact& contact, const Vector3& separation,
   return output;
 }
 
-/// The forces of a contact at a time level, from the same: on j, and the torques on i and j,
-/// [force] and [force length].
+/// The forces of a contact at a time level, and the torques on i and j, not impulses: [force] and
+/// [force length]. Arguments as for output_of().
 template <class Contact>
-FrictionalStep forces_of(const Contact& contact, const Vector3& separation,
-                         const ContactHistory& history, double step) {
-  FrictionalStep forces;
+PairAction forces_of(const Contact& contact, const Vector3& separation,
+                     const ContactHistory& history, double step) {
+  PairAction forces;
   const ContactBodies::Touch touch(contact.bodies(), separation);
   touch.add_sliding_impulse((1.0 / step) * history.sliding.impulse, forces);
   touch.add_rolling_impulse((1.0 / step) * history.rolling.impulse, forces);

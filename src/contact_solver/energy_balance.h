@@ -69,19 +69,19 @@ class WorkOfForces {
   double all_ = 0.0, later_ = 0.0;
 };
 
-/// What acts on a particle at a time level.
+/// Forces and torques on a particle at a time level.
 struct ForcesAtLevel {
   Vector3 all, of_contacts, weight;
   Vector3 friction;  ///< sliding friction, part of those of contacts
   Vector3 torque, of_contacts_torque;
 };
 
-/// The work of forces on the particles of a process, and what is stored beside their kinetic
-/// energy.
+/// The work of forces on the particles of a process, and the difference between both kinetic
+/// energies.
 ///
-/// The accounts of contacts (energy_account.h) are beside the kinetic energy 1/2 m v_(n-1/2)
-/// v_(n+1/2). The velocity of the time level is the mean of both: its kinetic energy is larger by
-/// dt^2 F^2/(8 m), which is what the contacts' forces store less.
+/// Energy accounts (energy_account.h) balance with the kinetic energy 1/2 m v_(n-1/2) v_(n+1/2).
+/// The velocity of the time level is the mean of both: its kinetic energy is larger by
+/// dt^2 F^2/(8 m). The contacts' forces store that much less.
 class ParticleWork {
  public:
   /// Work of other forces but gravity, and of walls; work of friction and rolling friction on all
@@ -104,22 +104,22 @@ class ParticleWork {
   void add_external_work(const ForcesAtLevel& f, const Passage& passage) {
     external.add(f.all - f.of_contacts - f.weight, f.torque - f.of_contacts_torque, passage);
   }
-  /// Adds what is stored beside the kinetic energy of such a particle: nothing in the first step of
-  /// a run that continues no other, nor without contacts. `half`: of a step, [time].
+  /// Adds the difference between both kinetic energies of such a particle: nothing in the first
+  /// step of a run that continues no other, nor without contacts. `half`: of a step, [time].
   void store_motion(const ForcesAtLevel& f, double inverse_mass, double inverse_inertia,
                     double half) {
     motion_ -= 0.5 * half * half *
                (inverse_mass * dot(2.0 * f.all - f.of_contacts, f.of_contacts) +
                 inverse_inertia * dot(2.0 * f.torque - f.of_contacts_torque, f.of_contacts_torque));
   }
-  /// What 1/2 m v_(n-1/2) v_(n+1/2) of all is more than the kinetic energy.
+  /// Excess of 1/2 m v_(n-1/2) v_(n+1/2) over the kinetic energy of the time level, of all.
   double motion() const { return motion_; }
 
  private:
   double motion_ = 0.0;
 };
 
-/// Adds what there was so far to the entries of compute gran/energy.
+/// Adds losses and work up to the time level to the entries of compute gran/energy.
 inline void add_so_far(const EnergySums& sums, const ParticleWork& work, double factor,
                        double* entries) {
   const ContactLosses& lost = sums.lost();
@@ -134,7 +134,7 @@ inline void add_so_far(const EnergySums& sums, const ParticleWork& work, double 
   entries[energy_tally::SPRING] += factor * sums.exchanged();
 }
 
-/// Adds what is stored.
+/// Adds stored energies.
 inline void add_stored(const EnergySums& sums, const ParticleWork& work, double* entries) {
   const StoredEnergies& stored = sums.stored();
   entries[energy_tally::SPRING] += stored.spring + stored.load + work.motion();

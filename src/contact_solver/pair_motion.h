@@ -49,11 +49,16 @@ struct StoredEnergies {
   double potential() const { return spring + adhesion; }
 };
 
-/// What a contact does to its particles in a step: the impulse acts on j, its reverse on i.
-struct FrictionalStep {
-  Vector3 impulse{};   ///< [momentum]
-  Vector3 torque_i{};  ///< angular impulses, [momentum length]
+/// What acts on the particles of a pair: `impulse` on j, its reverse on i. Impulses [momentum] and
+/// angular impulses [momentum length], or forces [force] and torques [force length] where stated.
+struct PairAction {
+  Vector3 impulse{};
+  Vector3 torque_i{};
   Vector3 torque_j{};
+};
+
+/// What a contact does to its particles in a step: impulses.
+struct FrictionalStep : PairAction {
   Vector3 friction{};      ///< impulse of sliding friction on j, [momentum]
   double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
   /// What of the impulse an edge gives, which the next step does not have, [momentum].
@@ -69,7 +74,7 @@ struct ContactLosses {
   double rolling = 0.0;  ///< in the dashpot and slider of the rolling spring
 };
 
-/// The energies of a contact at a time level, beside the kinetic energy 1/2 m v_(n-1/2) v_(n+1/2).
+/// The energies of a contact at a time level. They balance with 1/2 m v_(n-1/2) v_(n+1/2).
 struct ContactEnergies {
   StoredEnergies stored{};  ///< 0 where it was not requested
   ContactLosses before{};   ///< since the time level before, as far as they are known only now

@@ -5,8 +5,8 @@
 
 namespace cohesion::hamaker {
 
-/// The attraction beyond H_cut, as a pair that leaves it under a load sees it: of a HamakerLaw
-/// (law.h), which all pairs of its materials share.
+/// The attraction of a HamakerLaw (law.h) beyond H_cut, which a pair crosses as it separates under
+/// a load. One law serves all pairs of the same materials.
 class Tail {
  public:
   /// The barrier under a load [force] from a gap [length] on, [energy].

@@ -38,7 +38,7 @@ TEST(ContactBodies, SolidSpheresAnswerSlidingWithTwoSeventhsOfTheReducedMass) {
 TEST(ContactBodies, AnImpulseAtTheSurfaceKeepsTheAngularMomentum) {
   const ContactBodies pair(small, large);
   const ContactBodies::Touch touch(pair, place);
-  FrictionalStep a;
+  PairAction a;
   const Vector3 impulse{0.3, 0.2, -0.7};
   touch.add_sliding_impulse(impulse, a);
   touch.add_rolling_impulse(impulse, a);

@@ -35,7 +35,7 @@ TEST(ContactOutput, FrictionAndRollingAreThoseOfTheForces) {
   const Contact contact;
   const ContactHistory h = history(4.0);
   const ContactOutput out = output_of(contact, separation, h, step);
-  const FrictionalStep forces = forces_of(contact, separation, h, step);
+  const PairAction forces = forces_of(contact, separation, h, step);
   EXPECT_EQ(out.place, ContactOutput::touching);
   EXPECT_EQ(out.force, 4.0);
   // On j: the normal force away from i, and the reverse of the friction on i.
@@ -51,7 +51,7 @@ TEST(ContactOutput, FrictionAndRollingAreThoseOfTheForces) {
 }
 
 TEST(ContactOutput, ForcesKeepTheAngularMomentum) {
-  const FrictionalStep f = forces_of(Contact{}, separation, history(4.0), step);
+  const PairAction f = forces_of(Contact{}, separation, history(4.0), step);
   EXPECT_NEAR(norm(f.torque_i + f.torque_j + cross(separation, f.impulse)), 0.0,
               1e-14 * norm(f.torque_i));
 }

@@ -27,7 +27,7 @@ Grains glass(double diameter, double modulus, double restitution) {
 contact::Adhesion hamaker(double diameter, double constant) {
   static std::deque<hamaker::HamakerLaw<hamaker::SmallGap>> laws;
   laws.emplace_back(hamaker::HamakerParameters{constant, 4e-10, 1e-7});
-  return contact::adhesion_of(laws.back(), two_spheres(0.5 * diameter, 0.5 * diameter));
+  return contact::adhesion_with_tail(laws.back(), two_spheres(0.5 * diameter, 0.5 * diameter));
 }
 
 /// A pair that flies head-on into contact on an engine's grid.

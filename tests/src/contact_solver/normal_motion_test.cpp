@@ -173,7 +173,7 @@ TEST(NormalMotion, APairPushedBeyondTheTailDoesNotLeaveFarAway) {
   // Under next to no load nothing pays for the tail on the way from there.
   const hamaker::HamakerLaw<hamaker::SmallGap> law({1e-19, 4e-10, 1e-7});
   const contact::Adhesion a =
-      contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
+      contact::adhesion_with_tail(law, two_spheres(thesis::radius, thesis::radius));
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
   for (const double gap : {0.9e-7, 1.1e-7, 1e-6}) {
     Overlap s{-gap, 0.0};
@@ -190,7 +190,7 @@ TEST(NormalMotion, APairThatLosesItsLoadInTheTailTurnsRoundThere) {
   // tail has taken at the gap H_cut/(1 - 0.6): it turns within a step of that, and is captured.
   const hamaker::HamakerLaw<hamaker::SmallGap> law({1e-19, 4e-10, 1e-6});
   const contact::Adhesion a =
-      contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
+      contact::adhesion_with_tail(law, two_spheres(thesis::radius, thesis::radius));
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
   const double mu = thesis::reduced_mass, load = 0.5 * a.force / mu;
   const auto speed = [&](double part) { return std::sqrt(2.0 * part * a.tail_energy / mu); };

@@ -92,7 +92,7 @@ class Spheres {
       const double inverse = 1.0 / length;
       const FrictionalStep& a = c.last;
       push(c, a, next);
-      FrictionalStep steady = a;
+      PairAction steady = a;
       steady.impulse -= c.last.at_edge;
       accelerate(c, steady, inverse, next);
       normal_lost_ += c.energies.before.normal_damping;
@@ -204,7 +204,7 @@ class Spheres {
     const Vector3 of_j = c.j < 0 ? Vector3{} : spheres[c.j].acceleration;
     return of_j - spheres[c.i].acceleration;
   }
-  static void push(const Contact& c, const FrictionalStep& a, std::vector<Sphere>& to) {
+  static void push(const Contact& c, const PairAction& a, std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.v -= i.body.inverse_mass * a.impulse;
     i.spin += inverse_inertia(i.body) * a.torque_i;
@@ -213,7 +213,7 @@ class Spheres {
     j.v += j.body.inverse_mass * a.impulse;
     j.spin += inverse_inertia(j.body) * a.torque_j;
   }
-  static void accelerate(const Contact& c, const FrictionalStep& a, double inverse,
+  static void accelerate(const Contact& c, const PairAction& a, double inverse,
                          std::vector<Sphere>& to) {
     Sphere& i = to[c.i];
     i.acceleration -= (inverse * i.body.inverse_mass) * a.impulse;

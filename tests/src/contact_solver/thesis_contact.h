@@ -27,7 +27,7 @@ inline contact_solver::Body particle() { return {radius, 1.0 / mass}; }
 inline contact::Adhesion adhesion(double hamaker_constant) {
   static std::deque<hamaker::HamakerLaw<hamaker::SmallGap>> laws;
   laws.emplace_back(hamaker::HamakerParameters{hamaker_constant, range, 1e8});
-  return contact::adhesion_of(laws.back(), two_spheres(radius, radius));
+  return contact::adhesion_with_tail(laws.back(), two_spheres(radius, radius));
 }
 
 inline contact::ContactParameters contact() {
