@@ -278,16 +278,20 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
     contact.gammat = std::sqrt(k.friction->damping_squared * here);
   }
   if (!spring || !contact.shearupdate) return;
+  double weight = 1.0;
   if (k.stiffening) {
     const double before = step.radius_stiffness_before >= 0.0
                               ? step.radius_stiffness_before
                               : radius_stiffness(contact.deltan + k.solver->step() * contact.vn);
     const double left = cohesion::contact::stretch_left(before, here);
     for (int d = 0; d < 3; d++) spring[d] *= left;
+    weight = cohesion::contact::displacement_weight(left);
   }
-  if (time_apart == 0.0) return;
+  // The engine adds the displacement of the whole step.
+  const double too_much = (1.0 - weight) * k.solver->step() + weight * time_apart;
+  if (too_much == 0.0) return;
   const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-  for (int d = 0; d < 3; d++) spring[d] -= time_apart * slip[d];
+  for (int d = 0; d < 3; d++) spring[d] -= too_much * slip[d];
 }
 
 }  // namespace Cohesion

@@ -31,6 +31,10 @@ inline LawPoint point_of(const NormalLaw& law, double overlap) {
 /// stretch.
 inline double stretch_left(double before, double now) { return now > before ? before / now : 1.0; }
 
+/// The weight of the displacement of a step in the stretch at its end, where `left` of the stretch
+/// is left: the mean of the stiffnesses at both ends of the step over the present one.
+inline double displacement_weight(double left) { return 0.5 * (1.0 + left); }
+
 /// The overlap at which a contact ends, [length]; below 0: where a neck tears.
 inline double lowest_overlap(const NormalLaw& law) {
   const auto* const jkr = std::get_if<JkrSpringDashpot>(&law);

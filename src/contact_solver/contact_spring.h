@@ -16,9 +16,9 @@ namespace cohesion::contact_solver {
 /// stiffness is constant. With Hertz's it grows with the overlap, as Mindlin's: while it grows, the
 /// force is kept and the stretch decreases; while it falls, the stretch is kept and the force
 /// decreases. So no change of the overlap adds energy to it. While the overlap grows, a
-/// displacement adds to the force by the mean of the stiffnesses at both ends of the step. Any
-/// stiffness between the two keeps that: from a force f to f' at K to K' the spring loses, by its
-/// own work, f^2/2 (1/K - 1/K_m) + f'^2/2 (1/K_m - 1/K').
+/// displacement adds to the force by the mean of the stiffnesses at both ends of the step. With any
+/// stiffness K <= K_m <= K' the spring gains no energy: from a force f to f' it loses
+/// f^2/2 (1/K - 1/K_m) + f'^2/2 (1/K_m - 1/K') >= 0.
 ///
 /// Source: C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30.
 class ContactSpring {
@@ -128,14 +128,14 @@ class ContactSpring {
     } else {
       const double left =
           contact::stretch_left(normal.radius_stiffness_before, normal.at.radius_stiffness);
-      const double part = left_of_displacement(left);
+      const double weight = contact::displacement_weight(left);
       state.stretch = left * state.stretch;
       const DiscreteConstants here = constants_at(normal.at);
       impulse =
-          constant_.advance_persistent(plane, rate, normal.repulsion, here, state, slips, part);
+          constant_.advance_persistent(plane, rate, normal.repulsion, here, state, slips, weight);
       if (losses)
         *losses = constant_.losses(plane, rate, {constants_at(overlap_before), last}, left,
-                                   {here, state}, slips, part);
+                                   {here, state}, slips, weight);
     }
     ContactHistory::store(state, values);
     return impulse;
@@ -150,7 +150,7 @@ class ContactSpring {
     const DiscreteSpring::State last = state;
     const double left = left_of_stretch(in_last_step, in_step);
     // A resolved step has added its displacement with the stiffness that it had.
-    const double part = n.persisted() ? left_of_displacement(left) : left;
+    const double weight = n.persisted() ? contact::displacement_weight(left) : left;
     state.stretch = left * state.stretch;
     state.impulse = touch.plane().turned_into(state.impulse);
     bool slips = false;
@@ -161,18 +161,19 @@ class ContactSpring {
                                   ? n.step.repulsion
                                   : 2.0 * n.step.force - n.force_to_level + n.friction_load;
       impulse = spring.advance_persistent(touch.plane(), rate, limiting, n.persisted(), state,
-                                          slips, part);
+                                          slips, weight);
       stretch = state.stretch;
     } else {
       if (n.persisted()) {
-        const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch, part);
+        const Vector3 sticking =
+            spring.sticking_impulse(touch.plane(), rate, state.stretch, weight);
         spring.advance_persistent(touch.plane(), rate, n.repulsion_before, true, state, slips,
-                                  part);
+                                  weight);
         spring.end_persistent(sticking, n.force_to_level + n.friction_load, state);
         stretch = state.stretch;
       } else if (n.touches()) {
         stretch = touch.plane().turned_into(state.stretch);
-        if (n.before.in_range()) stretch += (part * step_) * rate;
+        if (n.before.in_range()) stretch += (weight * step_) * rate;
       }
       impulse = resolve(spring, touch, stretch, rate + by_other, n, state, energies);
     }
@@ -181,16 +182,12 @@ class ContactSpring {
       if (n.persisted())
         energies->before =
             spring.losses(touch.plane(), rate, {constants_at(in_last_step), last}, left,
-                          {spring.constants(), {stretch, impulse}}, slips, part);
+                          {spring.constants(), {stretch, impulse}}, slips, weight);
     }
     return impulse;
   }
 
  private:
-  /// The fraction of the displacement since the last time level that a persistent contact adds to
-  /// its stretch, if `left` is left of the last stretch: the mean of both stiffnesses over the new.
-  static double left_of_displacement(double left) { return 0.5 * (1.0 + left); }
-
   /// advance() in a resolved step, from `stretch` at the time level; state.impulse is pending.
   Vector3 resolve(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
                   const Vector3& stretch, const Vector3& rate, const NormalStep& n,

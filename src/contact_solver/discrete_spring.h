@@ -47,23 +47,23 @@ class DiscreteSpring {
   /// Impulse at the time level of a persistent contact. `rate` [length/time]: staggered velocity of
   /// the surfaces; repulsion [force]: of normal spring and dashpot; persisted: the contact was
   /// persistent in the last step, too; after a resolved step half of its impulse is pending. Sets
-  /// `slips`. part [1]: of the displacement since the last time level that the stretch keeps where
-  /// the stiffness has changed.
+  /// `slips`. displacement_weight [1]: contact::displacement_weight(), 1 if the stiffness is
+  /// constant.
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
                                                     bool persisted, State& state, bool& slips,
-                                                    double part = 1.0) const {
-    return advance_persistent(plane, rate, repulsion, persisted, part, constants_, ends_.first,
-                              state, slips);
+                                                    double displacement_weight = 1.0) const {
+    return advance_persistent(plane, rate, repulsion, persisted, displacement_weight, constants_,
+                              ends_.first, state, slips);
   }
   /// The same of a contact that was persistent in the last step and has other constants now.
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
                                                     const DiscreteConstants& constants,
                                                     State& state, bool& slips,
-                                                    double part = 1.0) const {
-    return advance_persistent(plane, rate, repulsion, true, part, constants, constants, state,
-                              slips);
+                                                    double displacement_weight = 1.0) const {
+    return advance_persistent(plane, rate, repulsion, true, displacement_weight, constants,
+                              constants, state, slips);
   }
 
   const DiscreteConstants& constants() const { return constants_; }
@@ -84,23 +84,24 @@ class DiscreteSpring {
   };
   /// The energy that the spring has released, less the work of its impulses. While the contact
   /// slips, the dashpot is stretched with the spring. Where the stiffness has changed: `left` of
-  /// the last stretch, `part` as above.
+  /// the last stretch, `displacement_weight` as above.
   [[gnu::always_inline]] Losses losses(const contact::Plane& plane, const Vector3& rate,
                                        const AtLevel& last, double left, const AtLevel& now,
-                                       bool slips, double part = 1.0) const {
+                                       bool slips, double displacement_weight = 1.0) const {
     const double released = stored_energy(last.constants, last.state.stretch) -
                             stored_energy(now.constants, now.state.stretch);
     const double all = released - 0.5 * dot(last.state.impulse + now.state.impulse, rate);
     if (!slips) return {all, all};
     const Vector3 stretched = now.state.stretch - plane.turned_into(left * last.state.stretch);
-    return {all, now.constants.damping / (part * part * step_) * dot(stretched, stretched)};
+    return {all, now.constants.damping / (displacement_weight * displacement_weight * step_) *
+                     dot(stretched, stretched)};
   }
 
   /// Twice the impulse from the staggered to the true velocity of a sticking contact, in closed
-  /// form without other forces. `stretch`: at the last time level; `part`: as above.
+  /// form without other forces. `stretch`: at the last time level; displacement_weight: as above.
   Vector3 sticking_impulse(const contact::Plane& plane, const Vector3& rate, const Vector3& stretch,
-                           double part) const {
-    const Vector3 stretched = plane.turned_into(stretch) + (part * step_) * rate;
+                           double displacement_weight) const {
+    const Vector3 stretched = plane.turned_into(stretch) + (displacement_weight * step_) * rate;
     return step_ * sticking_force(ends_.last, stretched, rate);
   }
   /// Ends a persistent contact, after advance_persistent() with the same `rate`: sets the pending
@@ -150,9 +151,9 @@ class DiscreteSpring {
     const double part = 1.0 / (1.0 + 0.5 * damping * step * inverse_mass);
     return {part * stiffness, part * damping};
   }
-  /// Those of the half steps at both ends: the force a quarter of a step after or before the time
-  /// level. It has changed by the stiffness, and the velocity by half of the force of the half
-  /// step.
+  /// An approximation of DiscreteEndConstants to second order: the mean force of a half step is
+  /// that at its middle, a quarter of a step from the time level, by linear extrapolation. The
+  /// closed form of linear springs has a third in place of the quarter.
   static DiscreteEndConstants ends_at_time_level(double stiffness, double damping, double step,
                                                  double inverse_mass) {
     const double part = 1.0 / (1.0 + 0.25 * damping * step * inverse_mass);
@@ -164,12 +165,12 @@ class DiscreteSpring {
   /// first: of the first step of a persistent contact.
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
-                                                    bool persisted, double part,
+                                                    bool persisted, double displacement_weight,
                                                     const DiscreteConstants& constants,
                                                     const DiscreteConstants& first, State& state,
                                                     bool& slips) const {
     const Vector3 turned = plane.turned_into(state.stretch);
-    const Vector3 stretched = turned + (part * step_) * rate;
+    const Vector3 stretched = turned + (displacement_weight * step_) * rate;
     // After a resolved step the stretch already includes the slip.
     const Vector3 before = persisted ? turned : stretched;
     Vector3 s = stretched;
@@ -181,7 +182,7 @@ class DiscreteSpring {
     slips = square > limit * limit;
     if (slips) {  // spring and dashpot together carry the Coulomb force
       force = (limit / std::sqrt(square)) * force;
-      const double drag = persisted ? constants.damping / (part * step_) : 0.0;
+      const double drag = persisted ? constants.damping / (displacement_weight * step_) : 0.0;
       if (persisted && constants.stiffness + drag > 0.0)
         s = (1.0 / (constants.stiffness + drag)) * (drag * before - force);
     }

@@ -97,9 +97,9 @@ class ExactContact {
 
   /// Advances a contact of two spheres that was persistent in the last step and certainly remains
   /// so, and adds its impulses to `step`. Returns false, and changes nothing, where that is not
-  /// certain. `now`: its functions read what PairMotion has; `values`: the
-  /// stored history; `By`: LinearContact or IntegratedContact; ContactMotion where laws differ;
-  /// `energies`: without stored ones, may be null.
+  /// certain. `now`: has separation(), velocity(), spin_i() and spin_j(), as the members
+  /// of PairMotion; `values`: the stored history; `By`: LinearContact or IntegratedContact;
+  /// ContactMotion where laws differ; `energies`: without stored ones, may be null.
   template <int SIZE, class By, class Motion>
   [[gnu::always_inline]] bool advance_persistent(const Motion& now, double* values,
                                                  FrictionalStep& step,

@@ -147,7 +147,7 @@ class NormalMotion {
     if (tail && outward > 0.0 && energy >= tail->barrier(load, -start, adhesion_.geometry)) {
       // To where the load has done the work that is missing; within the tail.
       const double end = start + 0.5 * remaining / outward;
-      constexpr double rounding = 1e-12;
+      constexpr double rounding = 1e-12;  // the end may be H_out itself
       if (-end <= (1.0 + rounding) * tail->outer_cutoff()) {
         const double taken = in_gap(s, time, end, start, -outward);
         if (taken < time) {
@@ -183,14 +183,15 @@ class NormalMotion {
     return time;
   }
 
-  /// Moves a pair that is not in contact and not leaving.
+  /// Moves a pair that is not in contact and not leaving. Returns the time that it took.
   double cross_gap(Overlap& s, double time, double outward) const {
     const double drive = drive_at(s.x, outward);
     if (s.x < -adhesion_.cutoff) return in_gap(s, time, s.x, -adhesion_.cutoff, drive);
     return in_gap(s, time, -adhesion_.cutoff, 0.0, drive);
   }
 
-  /// Moves a pair between the overlaps `low` < `high` <= 0 with a constant acceleration.
+  /// Moves a pair with a constant acceleration between the overlaps `low` < `high` <= 0, until it
+  /// reaches one of them or `time` ends. Returns the time that it took.
   double in_gap(Overlap& s, double time, double low, double high, double drive) const {
     const double touch = first_root(high - s.x, -s.v, -drive);
     const double out = first_root(s.x - low, s.v, drive);
