@@ -414,13 +414,24 @@ class Warnings(Translated):
             _, error = self.contacts(text.replace("timestep 1e-3", f"timestep {found[2]}"), *words)
             self.assertNotIn("time step", error)
 
+    @staticmethod
+    def steady_sliding(restitution, speed):
+        """40/7 (K_t + 2 eta_t/dt) dt^2/m_t = 4 with m_t = 2 mu/7, at the largest overlap of an impact with `speed`
+        (docs/theory/contact_steps.md); K_t = 8 G* a and eta_t = 2 sqrt(5/6) beta sqrt(K_t mu) as in LIGGGHTS."""
+        mass, log = MASS / 2, math.log(restitution)
+        radius_of_contact = math.sqrt(RADIUS / 2 * hertz_time(mass, RADIUS / 2, speed)[1])
+        stiffness = 8 * 2e7 / (4 * (2 - 0.22) * (1 + 0.22)) * radius_of_contact
+        damping = math.sqrt(5 / 6) * -log / math.hypot(log, math.pi) * math.sqrt(stiffness * mass) * 2
+        return (math.sqrt(damping**2 + stiffness * mass / 5) - damping) / stiffness
+
     def test_friction_and_damping_shorten_the_step_of_the_exact_scheme(self):
         script = self.changed(("cohesionEnergyDensity", "surfaceEnergy"), ("2 2e5 1e5", "2 1e-4 1e-4"),
                               ("    1e5 0", "    1e-4 0"), ("sjkr", "jkr"), ("timestep 1e-6", "timestep 1e-3"),
                               ("2 0.9 0.9 0.9 0.9", "2 0.3 0.3 0.3 0.3"))
         friction = "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
         step = self.exact_step(script)[2]
-        self.assertGreater(step, 1.3 * self.exact_step(script + friction)[2])
+        self.near(step, hertz_time(MASS / 2, RADIUS / 2, 1)[0] / 20, 0.01)
+        self.near(self.exact_step(script + friction)[2], self.steady_sliding(0.3, 3), 0.01)
         self.assertEqual(step, self.exact_step(script.replace("tangential history", "tangential off") + friction)[2])
 
     def test_scaled_attraction(self):
