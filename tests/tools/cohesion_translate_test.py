@@ -394,7 +394,8 @@ class Warnings(Translated):
         fall = math.sqrt(2 * GRAVITY * 0.2)
         for text, words, speed, what in (
                 (script, (), 3, "three times the assumed speed: specify --speed"),
-                (script, ("--speed", 1), 3, "three times --speed"), (script, ("--speed", 0.1), 0.3, "three times --speed"),
+                (script, ("--speed", 1), 3, "three times --speed"),
+                (script, ("--speed", 0.1), 0.3, "three times --speed"),
                 (script + self.BOX.format(block), (), fall, "fall through the box"),
                 (script + self.BOX.format(block), ("--speed", 2), 6, "three times --speed"),
                 (script + self.BOX.format(cylinder), (), fall, "fall through the box"),
