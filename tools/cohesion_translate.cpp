@@ -38,20 +38,7 @@ struct TranslateRequest {
   bool csv = false;
 };
 
-void add_options(CLI::App& app, TranslateRequest& r) {
-  app.add_option("SCRIPT", r.script, "of LIGGGHTS")->required();
-  app.add_option("--var", r.variables, "name and value of a variable, as often as needed")
-      ->type_name("NAME VALUE")
-      ->expected(2, 1000);
-  app.add_option("--speed", r.speed,
-                 "of impacts; default: of the fastest insertion, or 1 m/s; none for units lj")
-      ->check(CLI::PositiveNumber);
-  auto* diameter = app.add_option("--diameter", r.diameter, "of grains whose size the script lacks")
-                       ->check(CLI::PositiveNumber);
-  auto* density =
-      app.add_option("--density", r.density, "of these grains")->check(CLI::PositiveNumber);
-  diameter->needs(density);
-  density->needs(diameter);
+void add_options_of_writing(CLI::App& app, TranslateRequest& r) {
   auto* write = app.add_option("--write", r.write,
                                "script with a law of this package in place of sjkr and sjkr2: "
                                "equal-force or equal-velocity, and a file")
@@ -67,6 +54,23 @@ void add_options(CLI::App& app, TranslateRequest& r) {
       ->check(CLI::PositiveNumber)
       ->expected(2)
       ->needs(write);
+}
+
+void add_options(CLI::App& app, TranslateRequest& r) {
+  app.add_option("SCRIPT", r.script, "of LIGGGHTS")->required();
+  app.add_option("--var", r.variables, "name and value of a variable, as often as needed")
+      ->type_name("NAME VALUE")
+      ->expected(2, 1000);
+  app.add_option("--speed", r.speed,
+                 "of impacts; default: of the fastest insertion, or 1 m/s; none for units lj")
+      ->check(CLI::PositiveNumber);
+  auto* diameter = app.add_option("--diameter", r.diameter, "of grains whose size the script lacks")
+                       ->check(CLI::PositiveNumber);
+  auto* density =
+      app.add_option("--density", r.density, "of these grains")->check(CLI::PositiveNumber);
+  diameter->needs(density);
+  density->needs(diameter);
+  add_options_of_writing(app, r);
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");
 }
 
@@ -84,14 +88,16 @@ std::map<std::string, std::string> variables_of(const TranslateRequest& r) {
   throw std::runtime_error("units " + script.unit_name() + " have no " + what_and_cure);
 }
 
-/// assumed [length/time]: where neither script nor command line has a speed.
+/// assumed [length/time]: of impacts, where neither script nor command line has a speed.
 FastestSphere fastest_of(const TranslateRequest& r, const ScriptRun& run, double assumed) {
   if (r.speed > 0.0) return {advice::fastest_over_impact * r.speed, "three times --speed"};
   const double insertion = run.insertion_speed().value_or(0.0), fall = run.fall_speed();
   std::vector<std::string> origins;
   if (insertion > 0.0) origins.push_back("insertion");
   if (fall > 0.0) origins.push_back("fall through the box");
-  if (origins.empty()) return {assumed, "assumed"};
+  if (origins.empty())
+    return {advice::fastest_over_impact * assumed,
+            "three times the assumed speed: specify --speed"};
   return {std::hypot(insertion, fall), joined(origins, " and ")};
 }
 
@@ -204,7 +210,8 @@ void require_contacts(const TranslateRequest& r, ScriptCase& script) {
 
 void run(const TranslateRequest& r) {
   ScriptReader reader(variables_of(r));
-  ScriptCase script(reader.read(r.script));
+  const std::vector<ScriptCommand>& commands = reader.read(r.script);
+  ScriptCase script(commands);
   require_contacts(r, script);
   const ContactConditions conditions = conditions_of(r, script);
   ScriptReport report(conditions, r.csv);
@@ -224,7 +231,7 @@ void run(const TranslateRequest& r) {
   TranslatedScript translated(r.script, script, translation_of(r, script, conditions.gravity),
                               conditions);
   for (const ContactPairOfTypes& contact : contacts) translated.add(contact);
-  translated.write(r.write[1]);
+  translated.write(r.write[1], commands);
   warn(translated.warnings());
   std::cerr << "cohesion-translate: wrote " << r.write[1]
             << "; run it with liggghts-cohesion, and check its strength with cohesion-translate\n";

@@ -23,7 +23,7 @@ inline void reject_repeated_options(const CLI::App& app, int argc, char** argv) 
     if (group->get_name().empty()) reject_repeated_options(*group, argc, argv);
 }
 
-/// Calls run(). An exception is printed behind the name of the program; returns the exit code.
+/// Calls run(). An exception is printed after the name of the program; returns the exit code.
 template <class Run>
 int exit_code_of(const char* program, Run run) {
   try {

@@ -12,7 +12,8 @@
 
 namespace cohesion::tools {
 
-/// The time step of the exact scheme for several contacts of a script, at its fastest speed.
+/// Finds the contact with the shortest advised step. The mean speed of impacts is a third of the
+/// fastest sphere's (advised_step.h).
 class ExactStep {
  public:
   explicit ExactStep(const ContactConditions& conditions) : conditions_(conditions) {}
@@ -32,7 +33,7 @@ class ExactStep {
            title_ +
            text(", spheres of up to %.3g [length/time]: %s): use a timestep of at most %.3g",
                 conditions_.fastest.speed, conditions_.fastest.origin.c_str(),
-                advice::detail::named_step(step_));
+                advice::named_step(step_));
   }
 
  private:

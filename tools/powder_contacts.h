@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "hamaker/roughness.h"
 #include "powder/grain_contact.h"
 #include "powder/wells.h"
+#include "script_text.h"
 #include "sphere.h"
 
 namespace cohesion::tools {
@@ -161,13 +161,6 @@ struct PowderContacts {
     double mass;      // reduced
     double material;  // stiffness that the springs stand for
   };
-
-  template <class... Values>
-  static std::string text(const char* format, Values... values) {
-    char line[200];
-    std::snprintf(line, sizeof line, format, values...);
-    return line;
-  }
 
   std::string kept() const {
     for (const contact::KeepName& k : contact::keeps)

@@ -237,7 +237,7 @@ class ScriptCase {
     }
   }
 
-  /// Smallest radius, and median by mass, of the distribution behind `at`:
+  /// Smallest radius, and median by mass, of the distribution after `at`:
   ///
   ///   constant R                    R; R
   ///   uniform [mass] a b            a; (a + b)/2: equal mass in equal ranges of the radius

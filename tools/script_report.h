@@ -71,11 +71,13 @@ class ScriptReport {
     std::string values;
   };
 
+  static std::string heading_of(const GranularModel& model) {
+    return "model " + model.normal + ", cohesion " + model.cohesion + '\n' +
+           text("  %-34s %-11s %-11s\n", "grains", "smallest", "median");
+  }
+
   std::string values_of(const ContactPairOfTypes& pair) const {
-    std::string rows;
-    if (!csv_)
-      rows = "model " + pair.model->normal + ", cohesion " + pair.model->cohesion + '\n' +
-             text("  %-34s %-11s %-11s\n", "grains", "smallest", "median");
+    std::string rows = csv_ ? "" : heading_of(*pair.model);
     const CohesionOfScript& cohesion = pair.smallest.cohesion();
     const auto line = [&](const char* name, const char* label, const char* unit, const auto& of) {
       const double smallest = of(pair.smallest), median = of(pair.median);

@@ -35,7 +35,8 @@ class ScriptRun {
   const std::optional<double>& gravity() const { return gravity_; }
   /// Of the fastest insertion.
   const std::optional<double>& insertion_speed() const { return insertion_speed_; }
-  /// After a fall through the box, along gravity; 0: one of both is not known.
+  /// sqrt(2 |g| h) after a fall through the box, 0 if box or gravity is unknown. h: extent of the
+  /// box along gravity, or its diagonal if the direction is unknown.
   double fall_speed() const {
     if (!box_ || !gravity_) return 0.0;
     double height = 0.0;

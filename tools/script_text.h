@@ -11,8 +11,9 @@ namespace cohesion::tools {
 /// As printf writes it.
 template <class... Values>
 std::string text(const char* format, const Values&... values) {
-  char line[512];
-  std::snprintf(line, sizeof line, format, values...);
+  const int length = std::snprintf(nullptr, 0, format, values...);
+  std::string line(static_cast<std::size_t>(length), '\0');
+  std::snprintf(line.data(), line.size() + 1, format, values...);
   return line;
 }
 

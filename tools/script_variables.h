@@ -32,7 +32,7 @@ struct Factor {
   bool is_in_place;  ///< the variables have the same values where the number is written
 };
 
-/// Word k of a command, in proportion to a power of which a number is.
+/// Word k of a command. The number is proportional to its `power`-th power.
 inline Factor factor_of(const ScriptCommand& c, std::size_t k, double value, int power,
                         bool is_in_place) {
   return {c.word_with_variables(k), value, c.is_whole(k) ? power : 0, is_in_place};
@@ -89,12 +89,15 @@ inline std::vector<Factor> modulus_factors(const ScriptProperty& modulus, int i,
 /// the script.
 class NumbersWithVariables {
  public:
-  /// lines: of the script that stand before the command, and behind it.
-  NumbersWithVariables(std::string name, const std::vector<std::string>& before,
-                       const std::vector<std::string>& behind)
+  /// commands: all of the script, in order, with the command that the written one replaces.
+  NumbersWithVariables(std::string name, const std::vector<ScriptCommand>& commands,
+                       const ScriptCommand& replaced)
       : name_(std::move(name)) {
-    for (const std::string& line : before) define(line, true);
-    for (const std::string& line : behind) define(line, false);
+    bool is_before = true;
+    for (const ScriptCommand& c : commands) {
+      is_before = is_before && c.place() != replaced.place();
+      define(c, is_before);
+    }
   }
 
   /// The number, or the variable with it.
@@ -107,11 +110,11 @@ class NumbersWithVariables {
         for (const std::string& name : variables_in(f.word)) lost_.insert(name);
         continue;
       }
-      formula += text("*(%s/%.8g)", f.word.c_str(), f.value);
-      if (f.power != 1) formula += text("^%d", f.power);
+      formula += "*(" + f.word + text("/%.8g)", f.value);
+      if (f.power != 1) formula += '^' + std::to_string(f.power);
     }
     if (formula.find('$') == std::string::npos) return formula;
-    const auto [at, is_new] = names_.try_emplace(formula, name_ + '_' + pair);
+    const auto [at, is_new] = names_.try_emplace(formula, unused(name_ + '_' + pair));
     if (is_new) lines_ += "variable " + at->second + " equal " + formula + '\n';
     return "${" + at->second + '}';
   }
@@ -128,13 +131,17 @@ class NumbersWithVariables {
     int count;
   };
 
-  void define(const std::string& line, bool is_before) {
-    static const std::regex command(R"(\s*variable\s+(\w+)\s+\w+\s+([^]*))");
-    std::smatch found;
-    if (!std::regex_match(line, found, command)) return;
+  void define(const ScriptCommand& c, bool is_before) {
+    if (c.words[0] != "variable" || !c.has(1) || c.written.size() < 4) return;
+    const std::vector<std::string> values(c.written.begin() + 3, c.written.end());
     const auto at =
-        definitions_.try_emplace(found[1].str(), Definition{found[2].str(), is_before, 0});
+        definitions_.try_emplace(c.words[1], Definition{joined(values, " "), is_before, 0});
     at.first->second.count++;
+  }
+  /// The name, with underscores until the script defines no such variable.
+  std::string unused(std::string name) const {
+    while (definitions_.count(name)) name += '_';
+    return name;
   }
   /// Each is defined once, before the command, and so are those that it depends on.
   bool are_known(const std::string& word, int depth = 0) const {

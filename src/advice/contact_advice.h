@@ -86,7 +86,9 @@ std::string text(const Part&... part) {
   return out.str();
 }
 
-/// The largest number with the digits of text() that is not above `limit`: a step that a sentence
+}  // namespace detail
+
+/// The largest number with three digits that is not above `limit`: a step that a sentence
 /// names is small enough.
 inline double named_step(double limit) {
   if (!(limit > 0.0) || !std::isfinite(limit)) return limit;
@@ -95,6 +97,8 @@ inline double named_step(double limit) {
   const double named = std::floor(limit * scale * (1.0 + 1e-12)) / scale;
   return named <= limit ? named : named - 1.0 / scale;
 }
+
+namespace detail {
 
 /// The steps of a contact, and which number of them the scheme asks for.
 inline double contact_steps_of(const ContactNumbers& n, const SchemeLimits& limits) {

@@ -393,7 +393,9 @@ class Warnings(Translated):
         block, cylinder = "block -1 1 0 3 0 0.2 units box", "cylinder x 0 0 0.1 -2 2 units box"
         fall = math.sqrt(2 * GRAVITY * 0.2)
         for text, words, speed, what in (
-                (script, (), 1, "assumed"), (script, ("--speed", 0.1), 0.3, "three times --speed"),
+                (script, (), 3, "three times the assumed speed: specify --speed"),
+                (script, ("--speed", 1), 3, "three times --speed"),
+                (script, ("--speed", 0.1), 0.3, "three times --speed"),
                 (script + self.BOX.format(block), (), fall, "fall through the box"),
                 (script + self.BOX.format(block), ("--speed", 2), 6, "three times --speed"),
                 (script + self.BOX.format(cylinder), (), fall, "fall through the box"),
@@ -413,13 +415,24 @@ class Warnings(Translated):
             _, error = self.contacts(text.replace("timestep 1e-3", f"timestep {found[2]}"), *words)
             self.assertNotIn("time step", error)
 
+    @staticmethod
+    def steady_sliding(restitution, speed):
+        """40/7 (K_t + 2 eta_t/dt) dt^2/m_t = 4 with m_t = 2 mu/7, at the largest overlap of an impact with `speed`
+        (docs/theory/contact_steps.md); K_t = 8 G* a and eta_t = 2 sqrt(5/6) beta sqrt(K_t mu) as in LIGGGHTS."""
+        mass, log = MASS / 2, math.log(restitution)
+        radius_of_contact = math.sqrt(RADIUS / 2 * hertz_time(mass, RADIUS / 2, speed)[1])
+        stiffness = 8 * 2e7 / (4 * (2 - 0.22) * (1 + 0.22)) * radius_of_contact
+        damping = math.sqrt(5 / 6) * -log / math.hypot(log, math.pi) * math.sqrt(stiffness * mass) * 2
+        return (math.sqrt(damping**2 + stiffness * mass / 5) - damping) / stiffness
+
     def test_friction_and_damping_shorten_the_step_of_the_exact_scheme(self):
         script = self.changed(("cohesionEnergyDensity", "surfaceEnergy"), ("2 2e5 1e5", "2 1e-4 1e-4"),
                               ("    1e5 0", "    1e-4 0"), ("sjkr", "jkr"), ("timestep 1e-6", "timestep 1e-3"),
                               ("2 0.9 0.9 0.9 0.9", "2 0.3 0.3 0.3 0.3"))
         friction = "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
         step = self.exact_step(script)[2]
-        self.assertGreater(step, 1.3 * self.exact_step(script + friction)[2])
+        self.near(step, hertz_time(MASS / 2, RADIUS / 2, 1)[0] / 20, 0.01)
+        self.near(self.exact_step(script + friction)[2], self.steady_sliding(0.3, 3), 0.01)
         self.assertEqual(step, self.exact_step(script.replace("tangential history", "tangential off") + friction)[2])
 
     def test_scaled_attraction(self):
@@ -489,7 +502,7 @@ class Written(Translated):
             self.near(found[name]["pull_off"][1], given[name]["pull_off"][1])
 
     def test_the_step_of_the_exact_scheme_is_in_the_comment(self):
-        step = r"time step 0.0001 is longer than advised for the exact scheme \(types 1 and 1, spheres of up to 1 .*"
+        step = r"time step 0.0001 is longer than advised for the exact scheme \(types 1 and 1, spheres of up to 3 .*"
         for law in ("hamaker", "jkr"):
             text, error = self.written(self.changed(("timestep 1e-6", "timestep 1e-4")), "--write", "equal-force",
                                        "--law", law)
@@ -524,11 +537,40 @@ class Written(Translated):
     def test_the_comment_states_what_the_numbers_derive_from(self):
         bond = sjkr_force(2e5, RADIUS / 2) / (MASS * GRAVITY)
         text, _ = self.written(SCRIPT, "--write", "equal-force")
-        self.assertIn("# Pull-off force F ~ R*^2 k^3/E*^2 of the median grains with sjkr: hamakerConstant = "
-                      f"6 F H_cut^2/R*, in proportion to the Bond number {bond:.4g} (1-1), {bond / 2:.3g}", text)
+        self.assertIn("# hamakerConstant = 6 F H_cut^2/R* keeps the pull-off force F of sjkr for median grains, "
+                      "F ~ R*^2 k^3/E*^2. Bond number with the values of the original script: "
+                      f"{bond:.4g} (1-1), {bond / 2:.3g}", text)
+        text, _ = self.written(SCRIPT, "--write", "equal-force", "--law", "jkr")
+        self.assertIn("# surfaceEnergy = F/(3 pi R*) keeps the pull-off force F of sjkr", text)
         text, _ = self.written(SCRIPT, "--write", "equal-velocity")
         speed = self.contacts(SCRIPT)[0]["1-1"]["escape_velocity"][1]
-        self.assertIn(f"# Escape velocity of the median grains with sjkr: {speed:.4g} (1-1), ", text)
+        self.assertIn("# hamakerConstant keeps the escape velocity of sjkr for median grains. Escape velocity with the "
+                      f"values of the original script: {speed:.4g} (1-1), ", text)
+
+    def test_definitions_on_several_lines_with_comments_and_in_included_files_are_known(self):
+        (self.folder / "numbers").write_text("variable D index 1e-3\nvariable R equal v_D/2\n")
+        for lines in ("variable D index 1e-3\nvariable R equal &\n v_D/2", "include numbers",
+                      "variable D index 1e-3 # $y\nvariable R equal v_D/2 # v_x"):
+            script = self.changed(("variable R index 5e-4", lines))
+            self.assertEqual(self.lost(script), [])
+            text, _ = self.written(script, "--write", "equal-force")
+            given, found = (self.contacts(of, "--var", "D", 2e-3)[0] for of in (script, text))
+            self.near(found["1-1"]["pull_off"][1], given["1-1"]["pull_off"][1])
+        lines = "variable D string 1e-3\nvariable D string 8e-4\nvariable R equal &\n v_D/2"
+        self.assertEqual(self.lost(self.changed(("variable R index 5e-4", lines))), ["R"])
+
+    def test_generated_names_are_not_those_of_the_script(self):
+        script = self.changed(("# own case", "variable hamakerConstant_1_1 index 7\n"
+                                            "variable hamakerConstant_1_1_ &\n index 8"))
+        text, _ = self.written(script, "--write", "equal-force")
+        self.assertIn("peratomtypepair 2 ${hamakerConstant_1_1__} ${hamakerConstant_1_2} ", text)
+        self.near(self.contacts(text)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, RADIUS / 2))
+
+    def test_a_long_expression_is_not_cut(self):
+        name = 600 * "r"
+        script = self.changed(("variable R", f"variable {name}"), ("${R}", f"${{{name}}}"))
+        text, _ = self.written(script, "--write", "equal-force")
+        self.near(self.contacts(text)[0]["1-1"]["pull_off"][1], sjkr_force(2e5, RADIUS / 2))
 
     def lost(self, script, rule="equal-force"):
         """Variables whose value is in numbers of the script that is written."""
@@ -550,7 +592,7 @@ class Written(Translated):
         defined = "# own case", "variable E index 2e7\nvariable n index 0.22"
         self.assertEqual(self.lost(self.changed(("peratomtype 2e7", "peratomtype $E"), defined)), ["E"])
         self.assertEqual(self.lost(self.changed(("peratomtype 0.22 0.22", "peratomtype $n $n"), defined)), ["n"])
-        # A radius that changes behind the property, or that has several values.
+        # A radius that changes after the property, or that has several values.
         for lines in ("variable R index 5e-4\nvariable R delete\nvariable R index 4e-4",
                       "variable D string 1e-3\nvariable D string 8e-4\nvariable R equal v_D/2"):
             self.assertEqual(self.lost(self.changed(("variable R index 5e-4", lines))), ["R"])
