@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Columns, rows and gases of `normal hertz`, with a Hamaker attraction, and of gran/jkr
+"""Columns, rows, oblique impacts and gases of `normal hertz`, with a Hamaker attraction, and of gran/jkr
 (cohesion_tests/hertzian_motion.py)."""
 import unittest
 
@@ -23,14 +23,14 @@ fix move all nve/sphere
 timestep {dt!r}
 thermo {steps}
 run {steps}
-write_dump all custom end.txt id x y z vx vy vz modify format float %.17g sort id
+write_dump all custom end.txt id x y z vx vy vz omegaz modify format float %.17g sort id
 """
 
 
 class Lammps(hertzian_motion.Motion, unittest.TestCase):
-    def end(self, law, restitution, dt, steps, places, velocities, more=""):
+    def end(self, law, restitution, dt, steps, places, velocities, more="", friction=""):
         style, words = laws.lammps(law)
-        words += f" restitution {restitution!r}"
+        words += f" restitution {restitution!r} {friction}"
         script = SCRIPT.format(style=style, words=words, dt=dt, steps=steps,
                                more=more and f"fix plate all wall/{style} {words} zplane 0 NULL\n{more}")
         with lammps.temporary_folder() as folder:
@@ -48,6 +48,11 @@ class Lammps(hertzian_motion.Motion, unittest.TestCase):
     def row(self, law, restitution, dt, steps, starts, velocities):
         return self.end(law, restitution, dt, steps, [(x, 0.0, 0.0) for x in starts],
                         [(v, 0.0, 0.0) for v in velocities])[:, 4]
+
+    def oblique(self, dt, steps, start, velocity):
+        end = self.end("hertz", 1.0, dt, steps, [(0.0, 0.0, 0.0), (start, 0.0, 0.0)], [(0.0, 0.0, 0.0), velocity],
+                       friction="friction 1e6 tangential_damping 0")
+        return end[1, 5] - end[0, 5] - 0.5 * laws.DIAMETER * (end[0, 7] + end[1, 7])
 
     def gas(self, law, restitution, friction, division, collisions):
         _, _, speed = laws.gases(law)[0]

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Columns, rows and gases of model hertz with the cohesion models hamaker and jkr (cohesion_tests/hertzian_motion.py)."""
+"""Columns, rows, oblique impacts and gases of model hertz with the cohesion models hamaker and jkr (cohesion_tests/hertzian_motion.py)."""
 import unittest
 
 from cohesion_tests import hertzian_motion
 from cohesion_tests.lammps_scenes import cohesive_gas
 from cohesion_tests.liggghts_scenes.elastic_gas import hertzian, tallied_gas
-from cohesion_tests.liggghts_scenes.scene import frames, sphere
+from cohesion_tests.liggghts_scenes.scene import RADIUS, frames, sphere
 from cohesion_tests.theory import hertzian_laws as laws
 
 
@@ -26,6 +26,13 @@ class Liggghts(hertzian_motion.Motion, unittest.TestCase):
     def row(self, law, restitution, dt, steps, starts, velocities):
         end = self.end(law, restitution, dt, steps, [sphere((x, 0, 0), (v, 0, 0)) for x, v in zip(starts, velocities)])
         return [row[3] for row in end]
+
+    def oblique(self, dt, steps, start, velocity):
+        models, attraction, contacts = hertzian("hertz", 1.0, 1e6)
+        rows = frames([sphere((0, 0, 0)), sphere((start, 0, 0), velocity)],
+                      models.replace("tangential_damping on", "tangential_damping off"), attraction, dt=dt, steps=steps,
+                      every=steps, contacts=contacts, skin=2e-4)[-1]
+        return rows[2][4] - rows[1][4] - RADIUS * (rows[1][8] + rows[2][8])
 
     def gas(self, law, restitution, friction, division, collisions):
         _, _, speed = laws.gases(law)[0]
