@@ -107,8 +107,11 @@ TEST(HertzContacts, ATangentialSpringThatStiffensGivesNoEnergy) {
 }
 
 TEST(HertzContacts, AnAdhesiveContactIsPersistentUnderAnyLoad) {
-  // An elastic impact under twice F_ad: all but the steps at both ends have the discrete force. The
-  // energy account closes, so that the load and the speed after the impact are those before.
+  // An elastic impact under twice F_ad. A persistent contact is deeper than the way of a step at
+  // both its ends, so that the step of the touch and the one after it are resolved, and two at the
+  // end: at least part - 5 time levels are left. The energy account closes: the load and the
+  // speed after the impact are those before. Without it the work of the load in a step, some per
+  // cent, would be missing; the Runge-Kutta steps at the ends leave 1e-11.
   const double speed = 0.1, pull = 2e-4;
   const contact::Adhesion adhesion{pull, thesis::range, pull * thesis::range};
   const auto law = contact::HertzSpringDashpot::from_restitution(
@@ -129,7 +132,7 @@ TEST(HertzContacts, AnAdhesiveContactIsPersistentUnderAnyLoad) {
         pair.step();
         persistent += pair.state.is_persistent();
       }
-      EXPECT_GE(persistent, 0.6 * part) << part << " " << phase;
+      EXPECT_GE(persistent, part - 5.0) << part << " " << phase;
       EXPECT_EQ(pair.state.phase, ContactState::outside);
       EXPECT_NEAR(energy(), before, 1e-9 * speed * speed) << part << " " << phase;
     }
