@@ -107,11 +107,14 @@ TEST(HertzContacts, ATangentialSpringThatStiffensGivesNoEnergy) {
 }
 
 TEST(HertzContacts, AnAdhesiveContactIsPersistentUnderAnyLoad) {
-  // An elastic impact under twice F_ad. A persistent contact is deeper than the way of a step at
-  // both its ends, so that the step of the touch and the one after it are resolved, and two at the
-  // end: at least part - 5 time levels are left. The energy account closes: the load and the
-  // speed after the impact are those before. Without it the work of the load in a step, some per
-  // cent, would be missing; the Runge-Kutta steps at the ends leave 1e-11.
+  // An elastic impact under twice F_ad. IntegratedContact::lasts() excludes time levels whose
+  // overlap, there or one step later, is below the displacement in a step: one level after touch
+  // and two before parting. One more is for the change of the speed in these steps.
+  constexpr int excluded = 4;
+  // The energy account holds the work of the forces, so the error of the Runge-Kutta scheme does
+  // not enter. EnergyAccount::is_open() counts it as closed below this part of mu v^2. The pair
+  // leaves no faster than it came; round-off, 4 eps D/(v dt), is below 1e-12.
+  constexpr double negligible = 1e-9;
   const double speed = 0.1, pull = 2e-4;
   const contact::Adhesion adhesion{pull, thesis::range, pull * thesis::range};
   const auto law = contact::HertzSpringDashpot::from_restitution(
@@ -127,14 +130,16 @@ TEST(HertzContacts, AnAdhesiveContactIsPersistentUnderAnyLoad) {
         return 0.5 * last * pair.vx - pair.external * x;
       };
       const double before = energy();
-      int persistent = 0;
+      int touching = 0, persistent = 0;
       for (int n = 0; n < 3.0 * part; n++) {
         pair.step();
+        touching += pair.distance() < core;
         persistent += pair.state.is_persistent();
       }
-      EXPECT_GE(persistent, part - 5.0) << part << " " << phase;
+      EXPECT_GE(persistent, touching - excluded) << part << " " << phase;
+      EXPECT_GE(touching, excluded + 1) << part << " " << phase;
       EXPECT_EQ(pair.state.phase, ContactState::outside);
-      EXPECT_NEAR(energy(), before, 1e-9 * speed * speed) << part << " " << phase;
+      EXPECT_NEAR(energy(), before, negligible * speed * speed) << part << " " << phase;
     }
 }
 
