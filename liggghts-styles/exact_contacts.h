@@ -287,7 +287,8 @@ inline void ExactContacts::set_friction(ContactModels::SurfacesIntersectData& co
     for (int d = 0; d < 3; d++) spring[d] *= left;
     weight = cohesion::contact::displacement_weight(left);
   }
-  // The engine adds the displacement of the whole step.
+  // The spring takes `weight` of the displacement in contact. The engine will add that of the whole
+  // step: what is too much, as a time.
   const double too_much = (1.0 - weight) * k.solver->step() + weight * time_apart;
   if (too_much == 0.0) return;
   const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
